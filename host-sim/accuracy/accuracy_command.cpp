@@ -59,7 +59,7 @@ struct Job {
     std::string name;
     CampaignOptions options;
   };
-  std::vector<AccuracyRequest> requests;  ///< one a scene, for the first target
+  std::vector<AccuracyRequest> requests;  ///< one for each scene, for the first target
   std::vector<Target> targets;
 };
 
@@ -114,14 +114,15 @@ std::string summary(const Campaign& campaign, double seconds) {
   return text;
 }
 
-/// For what does not depend on the picture's size: whether it can be drawn, its effects.
+/// Opens the scene in a small picture, for facts that do not depend on the picture's size: if it can be drawn, its
+/// effects.
 Result<std::unique_ptr<AccuracyScene>> open_small(AccuracyRequest request) {
   request.view = {16, 12, PixelFormat::rgb565};
   request.frames = 1;
   return AccuracyScene::open(request);
 }
 
-/// The boards' programs that the job will need, one name a line: host-sim/run builds them.
+/// Lists the boards' programs that the job needs, one name a line; host-sim/run builds them.
 Result<Done> list_programs(const Job& job) {
   std::set<std::string> names;
   for (const AccuracyRequest& request : job.requests) {
@@ -144,7 +145,7 @@ Result<Done> list_programs(const Job& job) {
   return Done{};
 }
 
-/// One scene on one target; its plot is written at once.
+/// Measures one scene on one target, and writes its plot at once.
 Result<Done> measure(const AccuracyScene& scene, const CampaignOptions& options, const std::vector<CauseErrors>& causes,
                      bool quiet, const fs::path& folder, Journal& journal, std::vector<Campaign>& campaigns,
                      std::vector<PageScene>& pages) {
@@ -176,7 +177,7 @@ Result<Done> make_folder(const fs::path& folder) {
                                                  folder.string(), error.message())};
 }
 
-/// Tables and plots of figures that were written down before, accuracy.csv and accuracy-causes.csv.
+/// Writes tables and plots from recorded figures, accuracy.csv and accuracy-causes.csv.
 Result<Done> retabulate(const fs::path& recorded, const fs::path& folder) {
   const Result<RecordedTable> settings = RecordedTable::read(recorded / "accuracy.csv", {"scene", "settings"});
   if (!settings) return settings.failure();
@@ -192,7 +193,7 @@ Result<Done> retabulate(const fs::path& recorded, const fs::path& folder) {
   }
   try {
     return write(folder / "accuracy.md", accuracy_tables(*settings, *causes));
-  } catch (const std::logic_error& error) {  // std::stod's
+  } catch (const std::logic_error& error) {  // thrown by std::stod
     return Failure{ExitStatus::input, fmt::format("'{}' or '{}' has a field that is no number ({})", settings->file(),
                                                   causes->file(), error.what())};
   }
@@ -206,7 +207,7 @@ Result<Done> run(const Arguments& arguments) {
   if (!job) return job.failure();
   if (arguments.programs) return list_programs(*job);
   for (const AccuracyRequest& request : job->requests) {
-    if (const auto scene = open_small(request); !scene) return scene.failure();  // nothing is left behind
+    if (const auto scene = open_small(request); !scene) return scene.failure();  // no files are left behind
   }
   const fs::path folder = arguments.output;
   if (const Result<Done> made = make_folder(folder); !made) return made.failure();

@@ -1,4 +1,4 @@
-// Hands baked scenes to the boards' program that has just their pipeline.
+// Passes baked scenes to the boards' program that has only their pipeline.
 #include "accuracy/board_cost.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ Result<Done> measure_on_board(const AccuracyRequest& request, const std::vector<
                          .frames = 1,
                          .program = board_program_name(request.target, effects),
                          .scene_file = file.path()};
-    // Strips as given; whether they fit the board is tested elsewhere.
+    // The given strips are used; other code checks if they fit the board.
     if (fits && cost.ram_bytes <= board.ram_bytes - kReservedRam) {
       const Result<BoardPrediction> predicted = predict(board, bench_case, 1, request.firmware);
       if (predicted) {

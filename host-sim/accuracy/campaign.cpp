@@ -1,4 +1,4 @@
-// Chooses settings, measures what the journal lacks, finds the front.
+// Chooses settings, measures the points that the journal does not have, and finds the front.
 #include "accuracy/campaign.hpp"
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::size_t kMaxCombinations = 160;
-// Times on this machine differ by this much from run to run without meaning anything.
+// Times on this machine vary by this much from run to run.
 constexpr double kNoise = 0.03;
 
 std::size_t changes(const Settings& settings) {
   return static_cast<std::size_t>(std::ranges::count_if(settings.value, [](std::uint8_t v) { return v != 0; }));
 }
 
-/// The fingerprint of all that takes part in measuring.
+/// Returns the fingerprint of all programs that take part in the measurement.
 Result<std::uint32_t> fingerprint_of(const AccuracyRequest& request, Effects effects) {
   if (request.target == "host") return fingerprint({});
   BenchCase bench_case;
@@ -100,7 +100,7 @@ class Measuring {
 
 Respects respects_of(const AccuracyPoint& point) {
   double time = time_of(point);
-  // Within the noise of a clock two times are one; instructions are exact.
+  // Times within the noise of the clock count as equal; instructions are exact.
   if (!point.cost.instructions) time = std::pow(1 + kNoise, std::round(std::log(time) / std::log1p(kNoise)));
   return {time, point.errors[Figure::perceived] + point.errors[Figure::wrong_pixels],
           static_cast<double>(point.cost.ram_bytes)};
@@ -148,7 +148,7 @@ std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vecto
       if (scene.possible(settings)) wanted.push_back(settings);
     }
   }
-  // Dithering is for formats of few colours: beside the default's it is turned on with each of these.
+  // Dithering is for formats with few colours: it is measured with each of these formats, in addition to the default's.
   const auto turns = [&](Knob knob) { return std::ranges::find(turned, knob) != turned.end(); };
   for (std::uint8_t format = 1; turns(Knob::format) && turns(Knob::dither) && format < info(Knob::format).values.size();
        ++format) {
@@ -189,7 +189,7 @@ std::vector<Settings> combinations(const AccuracyScene& scene, const std::vector
                                    const std::vector<AccuracyPoint>& singles, std::size_t limit) {
   std::vector<Settings> grown{Settings{}};
   for (const Knob knob : turned) {
-    // The values of this knob alone, the default first.
+    // The points with values of only this knob, the default first.
     std::vector<Respects> alone;
     std::vector<std::uint8_t> values;
     for (std::uint8_t value = 0, end = static_cast<std::uint8_t>(info(knob).values.size()); value < end; ++value) {

@@ -1,4 +1,4 @@
-// Pictures of the truth with one coarse stage, looked at as if the renderer had drawn them.
+// Pictures of the truth with one coarse stage, observed as if the renderer had drawn them.
 #include "accuracy/causes.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ Stages stages_of(const CauseCase& wanted, const View& size) {
   return stages;
 }
 
-/// As the renderer's picture of this scene would be looked at.
+/// Returns the observation of a picture of the truth in the form of the renderer's observations.
 Observation looked_at(const TruthPicture& picture, const Staging& staged, const Stages& stages) {
   const truth::DepthCodes codes(staged.scene, staged.camera, stages.depth.value_or(Stages::Depth{}));
   const std::vector<const Texture*> textures = textures_of(staged.scene);
@@ -58,7 +58,7 @@ Observation looked_at(const TruthPicture& picture, const Staging& staged, const 
   return seen;
 }
 
-/// What one exact sample shows, as if no pixel could show more.
+/// Returns the truth with one exact sample a pixel, in the middle of the pixel.
 Truth in_the_middle(const Truth& truth) {
   Truth exact;
   exact.centres = exact.snapped = truth.centres;
@@ -111,7 +111,7 @@ Result<Errors> errors_of(const AccuracyScene& scene, const CauseCase& wanted) {
     if (!drawn) return drawn.failure();
     Observation seen = looked_at(*drawn, varied, stages);
     Truth truth = wanted.cause == Cause::aliasing ? scene.truths()[i] : in_the_middle(scene.truths()[i]);
-    // Depth in codes is that of corners where they are.
+    // Depth in codes is compared at the exact corners.
     truth.snapped = truth.centres;
     if (i % 2 == 0) {
       sum.add(seen, truth);

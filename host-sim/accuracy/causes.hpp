@@ -1,4 +1,4 @@
-// Where the error comes from: each stage of drawing alone as coarse as the renderer's, all others exact.
+// The causes of the error: each stage of drawing alone with the renderer's precision, all others exact.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace zstrip::sim {
 
-/// `aliasing` is one exact sample in the middle of a pixel against the mean of 16; the others are one coarse stage
-/// against one exact sample.
+/// `aliasing` compares one exact sample in the middle of a pixel with the mean of 16; the others compare one coarse
+/// stage with one exact sample.
 enum class Cause : std::uint8_t { aliasing, snapping, transform, interpolation, depth, colour };
 inline constexpr std::size_t kCauses = 6;
 
@@ -19,7 +19,7 @@ struct CauseInfo {
   Cause cause;
   std::string_view name;
   std::string_view meaning;
-  std::vector<Knob> knobs;  ///< those that change it
+  std::vector<Knob> knobs;  ///< the knobs that change this cause
 };
 /// In the order of Cause.
 const std::vector<CauseInfo>& causes();
@@ -35,13 +35,13 @@ struct CauseErrors {
   Errors errors;
 };
 
-/// Each cause at the default; then each with one value of `turned` as far as that changes it, colours with dithering in
-/// each format, too.
+/// Returns each cause with the default, then with each value of `turned` that changes it; colours also with dithering
+/// in each format.
 std::vector<CauseCase> cause_cases(const AccuracyScene& scene, const std::vector<Knob>& turned);
 
-/// The figures of ErrorSum. Depth in codes is what the cause alone does to it, in codes of the settings' format.
+/// Returns the figures of ErrorSum. Depth in codes is the effect of this cause alone, in codes of the settings' format.
 Result<Errors> errors_of(const AccuracyScene& scene, const CauseCase& wanted);
-/// Of all of these, in parallel.
+/// Computes the errors of all these cases, in parallel.
 Result<std::vector<CauseErrors>> errors_of(const AccuracyScene& scene, const std::vector<CauseCase>& wanted,
                                            unsigned jobs);
 

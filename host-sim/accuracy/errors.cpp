@@ -32,7 +32,7 @@ constexpr std::array<FigureInfo, kFigures> kInfo{{
     {"flicker", "of 255", "brightness that changes otherwise than in truth while the scene turns by half a degree"},
 }};
 
-/// The value that this part of them does not exceed; reorders them.
+/// Returns the quantile `part` of the values; reorders them.
 double quantile(std::vector<float> values, double part) {
   if (values.empty()) return kNone;
   const auto index = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
@@ -44,11 +44,11 @@ double luma(const std::array<float, 3>& c) { return 0.299 * c[0] + 0.587 * c[1] 
 
 double ratio_in_db(double squares, std::uint64_t count) {
   if (count == 0) return kNone;
-  // Equal pictures: what a hundredth of a step everywhere would give.
+  // Equal pictures get the figure of an error of a hundredth of a step everywhere.
   return 10 * std::log10(255.0 * 255.0 / std::max(squares / static_cast<double>(count), 1e-4));
 }
 
-/// How far the truth's place lies outside of the texel that was drawn; textures repeat.
+/// Returns the distance of the truth's place from the texel that was drawn; textures repeat.
 float texture_error(const TexelSeen& seen, const TruthSample& truth) {
   const auto along = [](double drawn, double true_place, double size) {
     const double off = std::remainder(true_place - drawn, size);
@@ -91,7 +91,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
   std::vector<bool> right(drawn.label.size(), false);
   const auto is_drawn = [&](std::size_t i) { return drawn.label[i] != 0; };
 
-  // Distances of what was drawn are read with the scale of the codes, which follows from right pixels.
+  // Distances of drawn pixels are read with the scale of the codes, which is fitted to correct pixels.
   std::vector<std::array<double, 2>> points;
   const bool linear_in_w = depth_.orthographic;
   const auto abscissa = [&](double w) { return linear_in_w ? w : 1 / w; };

@@ -1,4 +1,4 @@
-// How far a picture is from the truth, in separate figures, and where.
+// The errors of a picture compared with the truth: separate figures, and a figure for each pixel.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace zstrip::sim {
 
-/// The figures. "Shown" pixels are those where picture or truth show a surface.
+/// The figures. "Shown" pixels are pixels where the picture or the truth shows a surface.
 enum class Figure : std::uint8_t {
   wrong_pixels,
   wrong_surface,
@@ -39,32 +39,32 @@ struct FigureInfo {
 };
 std::span<const FigureInfo> figures();
 
-/// NaN where a figure has no meaning: texture coordinates of a scene without textures.
+/// NaN if a figure is not defined, such as texture coordinates of a scene without textures.
 struct Errors {
   std::array<double, kFigures> value{};
   double operator[](Figure figure) const { return value[static_cast<std::size_t>(figure)]; }
   double& operator[](Figure figure) { return value[static_cast<std::size_t>(figure)]; }
 };
 
-/// What the codes of the z-buffer are linear in.
+/// Selects the quantity that the codes of the z-buffer are linear in.
 struct DepthScale {
   DepthFormat format = DepthFormat::z16;
   bool orthographic = false;
 };
 
-/// Gathers the errors of several frames.
+/// Accumulates the errors of several frames.
 class ErrorSum {
  public:
-  /// `simplified`: triangles have other numbers than in the truth; a surface is then wrong where it lies more than a
-  /// pixel's size before or behind all that the truth shows at the pixel and its neighbours.
+  /// `simplified`: triangles have other numbers than in the truth. A surface is then wrong if it is more than a pixel's
+  /// size in front of or behind all surfaces that the truth shows at the pixel and its neighbours.
   ErrorSum(const View& view, const Camera& camera, const DepthScale& depth, bool simplified);
 
   void add(const Observation& drawn, const Truth& truth);
-  /// Two frames a little apart.
+  /// Adds the flicker between two frames with slightly different poses.
   void add_flicker(const Observation& first, const Truth& first_truth, const Observation& next,
                    const Truth& next_truth);
   Errors take() const;
-  /// Of each pixel of the frame that was added first: how different it looks.
+  /// Returns the perceived difference of each pixel of the frame that was added first.
   const std::vector<float>& heat() const { return heat_; }
 
  private:

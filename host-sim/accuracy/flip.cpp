@@ -1,4 +1,4 @@
-// The colour pipeline, the feature pipeline, and how they come together.
+// The colour pipeline, the feature pipeline, and their combination.
 #include "accuracy/flip.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using Plane = std::vector<double>;
 constexpr double kPi = 3.14159265358979323846;
 constexpr Vector kWhite{0.950428545, 1, 1.088900371};  // D65
 
-// From linear sRGB to XYZ relative to the white point, and back.
+// Converts linear sRGB to XYZ relative to the white point, and back.
 constexpr double kToXyz[3][3] = {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                  {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                  {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}};
@@ -37,7 +37,7 @@ Vector linear(const std::array<float, 3>& srgb) {
   return out;
 }
 
-/// Luminance and two opponent channels, linear in light.
+/// Converts to luminance and two opponent channels, linear in light.
 Vector opponent(const Vector& rgb) {
   const Vector xyz = product(kToXyz, rgb);
   const double x = xyz[0] / kWhite[0], y = xyz[1] / kWhite[1], z = xyz[2] / kWhite[2];
@@ -50,7 +50,7 @@ Vector rgb_of_opponent(const Vector& v) {
   return rgb;
 }
 
-/// CIELAB with the Hunt effect: colours are the less colourful the darker they are.
+/// Converts to CIELAB with the Hunt effect: darker colours are less colourful.
 Vector hunt_lab(const Vector& rgb) {
   const Vector xyz = product(kToXyz, rgb);
   constexpr double kDelta = 6.0 / 29;
@@ -64,14 +64,14 @@ Vector hunt_lab(const Vector& rgb) {
 }
 double hyab(const Vector& a, const Vector& b) { return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]); }
 
-/// Odd length, its middle in the middle.
+/// A kernel of odd length, centred.
 using Kernel = std::vector<double>;
 
 struct Size {
   std::ptrdiff_t width, height;
 };
 
-/// Along x, or along y if `down`; what lies beyond the border is the border.
+/// Convolves along x, or along y if `down`. Values outside the picture are those at its border.
 Plane convolved(const Size& size, const Plane& from, const Kernel& kernel, bool down) {
   const std::ptrdiff_t radius = static_cast<std::ptrdiff_t>(kernel.size()) / 2;
   const std::ptrdiff_t last = (down ? size.height : size.width) - 1, stride = down ? size.width : 1;
@@ -91,15 +91,15 @@ Plane convolved(const Size& size, const Plane& from, const Kernel& kernel, bool 
   return out;
 }
 
-/// One term of a contrast sensitivity function, as the eye's blur: scale * sqrt(pi / spread) * e^(-pi^2 d^2 / spread),
-/// d in degrees.
+/// One term of a contrast sensitivity function as a blur: scale * sqrt(pi / spread) * e^(-pi^2 d^2 / spread), d in
+/// degrees.
 struct Term {
   double scale, spread;
 };
 constexpr Term kBlur[3][2] = {{{1, 0.0047}, {0, 0.00001}}, {{1, 0.0053}, {0, 0.00001}}, {{34.1, 0.04}, {13.5, 0.025}}};
 constexpr double kWidestSpread = 0.04;
 
-/// What of a channel is left at this distance.
+/// Blurs a channel as the eye does at this distance.
 Plane blurred(const Size& size, const Plane& channel, const Term (&terms)[2], double pixels_per_degree) {
   const int radius = static_cast<int>(std::ceil(3 * std::sqrt(kWidestSpread / (2 * kPi * kPi)) * pixels_per_degree));
   Plane out(channel.size());
@@ -122,7 +122,7 @@ Plane blurred(const Size& size, const Plane& channel, const Term (&terms)[2], do
   return out;
 }
 
-/// The differences of colour that are seen at this distance, 0..1.
+/// Returns the visible differences of colour at this distance, 0..1.
 Plane colour_difference(const Size& size, const std::array<Plane, 3>& a, const std::array<Plane, 3>& b,
                         double pixels_per_degree) {
   constexpr double kPower = 0.7, kKnee = 0.4, kAtKnee = 0.95;
@@ -143,7 +143,8 @@ Plane colour_difference(const Size& size, const std::array<Plane, 3>& a, const s
   return out;
 }
 
-/// Its positive values sum up to 1, its negative ones to -1, each times the sum of `across`, which it is used with.
+/// Scales the kernel: its positive values add up to 1 and its negative values to -1, each times the sum of `across`,
+/// with which it is used.
 void normalise(Kernel& kernel, const Kernel& across) {
   double positive = 0, negative = 0, sum = 0;
   for (const double value : kernel) (value < 0 ? negative : positive) += std::abs(value);
@@ -152,7 +153,7 @@ void normalise(Kernel& kernel, const Kernel& across) {
 }
 
 struct Features {
-  Plane edges, points;  ///< how strong they are
+  Plane edges, points;  ///< the strengths of edges and points
 };
 
 Features features(const Size& size, const Plane& luminance, double pixels_per_degree) {

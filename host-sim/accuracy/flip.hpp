@@ -1,4 +1,4 @@
-// LDR-FLIP: how different two pictures look to a viewer who flips between them in one place (Andersson, Nilsson,
+// LDR-FLIP: the difference that a viewer sees who flips between two pictures in one place (Andersson, Nilsson,
 // Akenine-Moeller, Oskarsson, Astrom, Fairchild: "FLIP: A Difference Evaluator for Alternating Images", HPG 2020).
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace zstrip::sim {
 
-/// 67: a monitor of 3840 pixels on 0.7 m seen from 0.7 m; as good a guess for a panel of 0.1 mm a pixel in the hand.
+/// 67: a monitor of 3840 pixels on 0.7 m seen from 0.7 m; also a good guess for a panel of 0.1 mm a pixel in the hand.
 inline constexpr double kPixelsPerDegree = 67;
 
-/// Of each pixel 0 (the same) to 1. Colours are sRGB, 0..255. Symmetric in the two pictures.
+/// Returns 0 (equal) to 1 for each pixel. Colours are sRGB, 0..255. Symmetric in the two pictures.
 std::vector<float> flip(std::uint32_t width, std::uint32_t height, std::span<const std::array<float, 3>> a,
                         std::span<const std::array<float, 3>> b, double pixels_per_degree = kPixelsPerDegree);
 

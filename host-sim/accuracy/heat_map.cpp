@@ -1,4 +1,5 @@
-// A picture of the renderer's against the truth: how different each pixel looks, in colours, and the worst of it.
+// A picture of the renderer compared with the truth: the perceived difference of each pixel in colours, and its
+// maximum.
 #include "accuracy/heat_map.hpp"
 
 #include <fmt/format.h>

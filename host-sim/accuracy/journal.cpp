@@ -1,4 +1,4 @@
-// Points to JSON lines and back.
+// Converts points to lines of JSON and back.
 #include "accuracy/journal.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ json to_object(const AccuracyPoint& point) {
   return object;
 }
 
-/// Throws nlohmann::json::exception for anything that is not such an object.
+/// Throws nlohmann::json::exception if the object is not a point.
 std::optional<AccuracyPoint> to_point(const json& object) {
   AccuracyPoint point;
   point.scene = object.at("scene");

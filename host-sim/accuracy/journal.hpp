@@ -1,4 +1,4 @@
-// The journal of a campaign: one line of JSON for each point, so that a run that was interrupted loses nothing.
+// The journal of a campaign: one line of JSON for each point, so that an interrupted run loses no measurement.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@
 
 namespace zstrip::sim {
 
-/// What makes two measurements the same: scene, size, poses, target, settings, and the programs that measured.
+/// Returns the key of a measurement: scene, size, poses, target, settings, and the programs that measured.
 std::string journal_key(const AccuracyRequest& request, const Settings& settings, std::uint32_t programs);
 
-/// A number that changes with this program, and with the file `more` if there is one.
+/// Returns a number that changes with this program, and with the file `more` if it exists.
 Result<std::uint32_t> fingerprint(const std::filesystem::path& more);
 
 class Journal {
  public:
-  /// Reads what is there; lines that are not whole, the last one of a run that was ended, are left out.
+  /// Reads the existing file. Incomplete lines are ignored, such as the last line of an interrupted run.
   static Result<Journal> open(const std::filesystem::path& file);
 
-  /// What was measured under this key; nothing if it was not.
+  /// Returns the point that was measured under this key, or nothing.
   std::optional<AccuracyPoint> find(const std::string& key) const;
-  /// Writes a line and hands it to the system at once. Not safe from several threads.
+  /// Writes a line and flushes it at once. Not safe from several threads.
   Result<Done> add(const std::string& key, const AccuracyPoint& point);
 
  private:
@@ -35,7 +35,7 @@ class Journal {
   std::ofstream out_;
 };
 
-/// A point as JSON, without what the campaign adds; NaN becomes null.
+/// Returns a point as JSON, without the data that the campaign adds; NaN becomes null.
 std::string point_json(const AccuracyPoint& point);
 
 }  // namespace zstrip::sim

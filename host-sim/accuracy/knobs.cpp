@@ -79,8 +79,8 @@ const std::vector<KnobInfo>& table() {
   return table;
 }
 
-/// The index of `word` in `range` by its name, else a failure that lists them and names the nearest, or what to do
-/// instead of one that is gone.
+/// Returns the index of `word` among the names in `range`. The failure lists the names, and says the nearest name, or
+/// the replacement of a removed one.
 template <class Range>
 Result<std::size_t> find_word(const Range& range, std::string_view word, std::string_view what) {
   std::vector<std::string_view> names;
@@ -227,7 +227,7 @@ std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_tr
   std::vector<Knob> found;
   for (const KnobInfo& knob : knobs()) {
     if (knob.knob == Knob::shading && !effects.has(effect::gouraud)) continue;
-    // Fragments with effects of their own have exact texture coordinates at every 16th pixel, whatever is set.
+    // Fragments with effects always have exact texture coordinates at every 16th pixel.
     if (knob.knob == Knob::perspective &&
         (!textured_triangles || effects.has(effect::orthographic) || effects.any(effect::fragments)))
       continue;
@@ -249,7 +249,7 @@ bool agree(Effects effects) {
 
 bool possible(Effects effects) {
   if (!agree(effects)) return false;
-  // Fragments with effects have their places at every 16th pixel.
+  // Fragments with effects have exact texture coordinates at every 16th pixel.
   if (effects.any(effect::fragments) && effects.any(effect::perspective_runs)) return false;
   return !(effects.any(effect::perspective_runs) && effects.any(effect::depth_formats | effect::depth_ranges));
 }

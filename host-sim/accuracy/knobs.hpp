@@ -1,4 +1,4 @@
-// The knobs that trade accuracy for time or memory: their names, their values, and settings, one value of each.
+// The knobs that trade accuracy for time or memory: their names and values, and settings, which have one value of each.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct KnobValue {
   std::string_view meaning;  ///< one phrase
 };
 
-/// The first value is the default.
+/// A knob; the first value is the default.
 struct KnobInfo {
   Knob knob;
   std::string_view name;
@@ -34,7 +34,7 @@ struct KnobInfo {
 std::span<const KnobInfo> knobs();
 const KnobInfo& info(Knob knob);
 
-/// An index into KnobInfo::values for each knob; zeros are the defaults.
+/// An index into KnobInfo::values for each knob; 0 is the default.
 struct Settings {
   std::array<std::uint8_t, kKnobs> value{};
   std::uint8_t operator[](Knob knob) const { return value[static_cast<std::size_t>(knob)]; }
@@ -44,38 +44,38 @@ struct Settings {
                           const Settings&) = default;  // NOLINT(modernize-use-nullptr): clang 14 sees a 0 in it
 };
 
-/// With those strips that the default has: they change no pixel.
+/// Returns the settings with the default strips: strips change no pixel.
 Settings without_strips(Settings settings);
 
-/// The settings that are not the default's, "depth=z24,strips=8"; "default" where none is.
+/// Returns the settings that differ from the default, "depth=z24,strips=8"; "default" if none does.
 std::string to_text(const Settings& settings);
-/// The reverse, of a part of them: a usage error names the nearest knob or value.
+/// Parses text of to_text, or a part of it; a usage error says the nearest knob or value.
 Result<Settings> parse_settings(std::string_view text);
-/// Names separated by commas, or "all".
+/// Parses names separated by commas, or "all".
 Result<std::vector<Knob>> parse_knobs(std::string_view text);
 
-/// What the settings are to the renderer.
-Effects extra_effects(const Settings& settings);  ///< beside those that the scene calls for
+/// Convert the settings to the renderer's types.
+Effects extra_effects(const Settings& settings);  ///< in addition to those that the scene needs
 PixelFormat pixel_format(const Settings& settings);
-/// The picture of this size, in the settings' format, dithered and with samples as in the settings.
+/// Returns a view of this size, with the format, dithering and samples of the settings.
 View picture(const Settings& settings, const View& size);
-/// Of the strips of a picture of `height` rows.
+/// Returns the budget with the strips of a picture of `height` rows.
 Budget budget(const Settings& settings, std::uint16_t height);
 bool filters_bilinearly(const Settings& settings);
 bool filters_mipmaps(const Settings& settings);
 bool blends_edges(const Settings& settings);
-/// Of 100, how many triangles a mesh keeps.
+/// Returns the percentage of a mesh's triangles to keep.
 std::uint32_t detail_percent(const Settings& settings);
 
-/// Which knobs change anything of a scene that calls for `effects`; `may_simplify`: it has a mesh that is worth it;
-/// `textured_triangles`: textures are not on quadrics alone.
+/// Returns the knobs that can change a scene which needs `effects`. `may_simplify`: the scene has a mesh with enough
+/// triangles; `textured_triangles`: the scene has textures on other objects than quadrics.
 std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_triangles);
-/// Whether the renderer can draw with all of these at once: not every pair of values goes together.
+/// True if the renderer can draw with all these effects at once: some pairs of values exclude each other.
 bool agree(Effects effects);
-/// The same, and each changes something.
+/// True if the effects agree, and each of them changes something.
 bool possible(Effects effects);
 
-/// The presets of docs/accuracy.md by their names: tiny, balanced, exact.
+/// The presets of docs/accuracy.md by name: tiny, balanced, exact.
 struct NamedSettings {
   std::string_view name;
   Settings settings;

@@ -1,4 +1,4 @@
-// Poses, their truth, and what settings make of them.
+// Poses, their truth, and the results of settings for them.
 #include "accuracy/measure.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::uint32_t kTurn = 720;  // frames of a turn: two next to each other are half a degree apart
+constexpr std::uint32_t kTurn = 720;  // frames of a full rotation: adjacent ones are half a degree apart
 constexpr int kRounds = 5;
 
 }  // namespace
@@ -31,17 +31,17 @@ double time_of(const AccuracyPoint& point) {
 }
 
 struct AccuracyScene::Poses {
-  std::vector<std::unique_ptr<Stage>> stages;  ///< two a pose, a little apart
+  std::vector<std::unique_ptr<Stage>> stages;  ///< two for each pose, slightly apart
   std::vector<Staging> staged;
   std::vector<Truth> truths;
 
-  /// What was found before, by settings without strips, which change no pixel.
+  /// Former results of settings without strips, which change no pixel.
   struct Found {
     Errors errors;
     std::optional<AccuracyPictures> pictures;
   };
   std::map<Settings, Found> found;
-  std::mutex mutex;  ///< of `found`
+  std::mutex mutex;  ///< protects `found`
 };
 
 AccuracyScene::AccuracyScene(AccuracyRequest request, std::shared_ptr<Poses> poses)
@@ -56,7 +56,7 @@ Result<std::unique_ptr<AccuracyScene>> AccuracyScene::open(const AccuracyRequest
       poses->stages.push_back((*stage)->copy());
       Result<Staging> staged = poses->stages.back()->place(pose * (kTurn / request.frames) + next, kTurn);
       if (!staged) return staged.failure();
-      staged->scene.edges = {};  // anti-aliasing is the settings' matter
+      staged->scene.edges = {};  // the settings select anti-aliasing
       staged->scene.overlay = nullptr;
       const Result<Done> checked = check_truth(staged->scene, staged->camera, (*stage)->origins());
       if (!checked) return checked.failure();
@@ -88,7 +88,7 @@ Effects AccuracyScene::effects_with(const Settings& settings) const {
   shading[Knob::shading] = settings[Knob::shading];
   const SceneVariant variant(first().scene, shading);
   const Staging shaded = variant.apply(first());
-  // All shades: settings change how triangles are drawn.
+  // Includes all shades, because settings change how triangles are drawn.
   return without_shades(effects_of(shaded.scene, shaded.camera)) | extra_effects(settings);
 }
 
@@ -103,7 +103,7 @@ std::vector<Knob> AccuracyScene::knobs() const {
 bool AccuracyScene::possible(const Settings& settings) const {
   const Effects effects = effects_with(settings);
   if (blends_edges(settings) && first().scene.instances.empty()) return false;
-  // Where nothing is lit, light at pixels is nothing else.
+  // In a scene without light, lighting at pixels changes nothing.
   if (settings.name_of(Knob::shading) == "pixel" && !effects.has(effect::pixel_shading)) return false;
   return sim::possible(effects);
 }

@@ -1,4 +1,4 @@
-// One scene measured with many settings: errors against the truth, cost in time and memory.
+// Measures one scene with many settings: errors compared with the truth, cost in time and memory.
 #pragma once
 
 #include <cstdint>
@@ -16,30 +16,30 @@
 
 namespace zstrip::sim {
 
-/// What is measured.
+/// The request for a measurement.
 struct AccuracyRequest {
   std::string scene;
-  View view;  ///< its format is the settings'
+  View view;  ///< its format is ignored: the settings have one
   std::optional<UpAxis> up{};
-  std::uint32_t frames = 2;  ///< poses of a turn
+  std::uint32_t frames = 2;  ///< poses of a full rotation
   std::string target = "host";
-  std::string firmware;  ///< folder of the boards' programs; empty: where the build puts them
+  std::string firmware;  ///< folder of the boards' programs; empty: the folder where the build puts them
 };
 
-/// The scene as plots and tables call it: of a file its name without folder and suffix.
+/// Returns the scene's name for plots and tables: for a file its name without folder and suffix.
 std::string scene_name(const AccuracyRequest& request);
 
-/// Of one picture, means of the poses.
+/// The cost of one picture, the mean of all poses.
 struct Cost {
-  double nanoseconds = 0;                         ///< on this machine, the least of some rounds; 0 on boards
-  std::optional<std::uint64_t> instructions{};    ///< of the target; of the host none
-  std::optional<double> least_fps{}, most_fps{};  ///< predicted of the board; none where it has too little RAM
+  double nanoseconds = 0;                         ///< on this machine, the minimum of several rounds; 0 on boards
+  std::optional<std::uint64_t> instructions{};    ///< on the target; none on the host
+  std::optional<double> least_fps{}, most_fps{};  ///< predicted for the board; none if it has too little RAM
   std::uint64_t ram_bytes = 0;                    ///< arena and one strip of pixels
   std::uint64_t scene_bytes = 0;                  ///< flash of the scene, as a baked blob
-  std::optional<std::uint64_t> program_bytes{};   ///< flash of a program with this pipeline alone, boards only
+  std::optional<std::uint64_t> program_bytes{};   ///< flash of a program with only this pipeline; only for boards
 };
 
-/// The part of Cost that needs no measuring.
+/// The part of Cost that is known without measuring.
 struct MemoryCost {
   std::uint64_t ram_bytes = 0, scene_bytes = 0;
 };
@@ -48,16 +48,16 @@ struct AccuracyPoint {
   std::string scene;
   std::string target;
   Settings settings;
-  std::string part;  ///< "one": differs from the default in one knob, or is measured beside those; "product"
+  std::string part;  ///< "one": differs from the default in one knob, or is measured with these points; "product"
   Errors errors;
   Cost cost;
   bool on_front = false;
 };
 
-/// What the time axis shows: instructions where there are any, else nanoseconds.
+/// Returns the value for the time axis: instructions if they are known, else nanoseconds.
 double time_of(const AccuracyPoint& point);
 
-/// Pictures of the first pose, for people.
+/// Pictures of the first pose, for display.
 struct AccuracyPictures {
   std::vector<std::array<float, 3>> drawn;
   std::vector<float> heat;
@@ -67,13 +67,13 @@ struct AccuracyPictures {
 class AccuracyScene {
  public:
   static Result<std::unique_ptr<AccuracyScene>> open(const AccuracyRequest& request);
-  /// The same scene where time is that of another target. What does not depend on it is found once for both.
+  /// Returns the same scene with the times of another target. Both share all results that do not depend on the target.
   AccuracyScene on(std::string_view target) const;
 
   const AccuracyRequest& request() const { return request_; }
-  /// What the scene calls for, at its default settings.
+  /// Returns the effects that the scene needs with default settings.
   Effects effects() const;
-  /// What drawing with these settings needs; flat shading needs less.
+  /// Returns the effects that drawing with these settings needs; flat shading needs fewer.
   Effects effects_with(const Settings& settings) const;
   std::vector<Knob> knobs() const;
   bool possible(const Settings& settings) const;
@@ -83,12 +83,12 @@ class AccuracyScene {
   Result<MemoryCost> memory(const Settings& settings) const;
   const std::vector<std::array<float, 3>>& true_picture() const;
 
-  /// Two a pose, a little apart, as the scene has them; and the truth of each.
+  /// Two for each pose, slightly apart, with the scene's own settings; and the truth of each.
   std::span<const Staging> staged() const;
   std::span<const Truth> truths() const;
 
  private:
-  /// What no target changes.
+  /// The data that no target changes.
   struct Poses;
   AccuracyScene(AccuracyRequest request, std::shared_ptr<Poses> poses);
   const Staging& first() const;

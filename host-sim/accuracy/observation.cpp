@@ -1,4 +1,4 @@
-// Draws scenes whose colours encode what is where.
+// Draws scenes whose colours encode triangles and texels.
 #include "accuracy/observation.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// The colour that becomes this word of RGB565, whatever is added to it below a step.
+/// Returns a colour that becomes this word of RGB565, also if less than a step is added to it.
 Colour colour_of(std::uint32_t word) {
   return {static_cast<std::uint8_t>((word >> 11) << 3), static_cast<std::uint8_t>(((word >> 5) & 63) << 2),
           static_cast<std::uint8_t>((word & 31) << 3), 255};
@@ -46,10 +46,10 @@ struct LabelledScene {
   }
 
  private:
-  // Each triangle gets three vertices of its own, so that it has a colour: a mesh may become several.
+  // Each triangle gets its own three vertices, so that it can have a colour: one mesh may become several.
   static constexpr std::size_t kTriangles = 21845;
 
-  /// A material like this one, but shown as it is.
+  /// Adds a material like this one, but without light.
   std::uint16_t plain(Material material, const Colour& colour) {
     material.colour = colour;
     material.texture = kNoTexture;
@@ -115,8 +115,8 @@ struct LabelledScene {
   }
 };
 
-/// The scene with textures whose texels encode where they are: their numbers, or where there are more than 65,536 the
-/// upper 8 bits of row and column.
+/// The scene with textures whose texels encode their position: their number, or, for more than 65,536 texels, the upper
+/// 8 bits of row and column.
 struct PlaceScene {
   std::deque<std::vector<std::uint16_t>> texels;
   std::vector<Texture> textures;
@@ -275,7 +275,7 @@ Result<Observation> observe(const Staging& staged, const View& view, const Setti
     seen.depth.push_back(depth_of(depth_format(effects), labels->code[i]));
     seen.label.push_back(word_at(labels->pixels, i));
   }
-  // Of bilinear texels there is no single one, and those of smaller textures are not the truth's.
+  // A bilinear pixel shows several texels, and texels of mipmaps are not in the truth.
   const Effects called_for = effects_of(staged.scene, staged.camera);
   if (!called_for.has(effect::textures) || called_for.any(effect::bilinear | effect::mipmaps)) return seen;
 

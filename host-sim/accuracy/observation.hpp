@@ -1,5 +1,5 @@
-// What the renderer drew, made visible: besides colours, which triangle each pixel shows, its depth code, and which
-// texel of its texture.
+// Makes visible what the renderer drew: in addition to its colour, the triangle, the depth code and the texel of each
+// pixel.
 #pragma once
 
 #include <array>
@@ -17,44 +17,44 @@
 
 namespace zstrip::sim {
 
-/// The middle of the texel that a pixel shows, and the size of its texture; zeros where it shows none.
+/// The middle of the texel that a pixel shows, and the size of its texture; zeros if it shows no texel.
 struct TexelSeen {
   float u = 0, v = 0;
   float width = 0, height = 0;
 };
 
-/// A depth code as the number that is linear in 1/w or w, and how much the next code is more.
+/// A depth code as the number that is linear in 1/w or w, and the difference to the next code.
 struct DepthSeen {
   double value = 0, step = 1;
 };
 DepthSeen depth_of(DepthFormat format, std::uint32_t code);
 
 struct Observation {
-  std::vector<std::array<float, 3>> rgb;  ///< 0..255, of each pixel, row by row
+  std::vector<std::array<float, 3>> rgb;  ///< 0..255, for each pixel, row by row
   std::vector<std::uint32_t> label;       ///< label_of() the triangle; 0: background
-  std::vector<DepthSeen> depth;           ///< of what is not background
-  std::vector<TexelSeen> texel;           ///< empty without textures, or where they are bilinear or mipmapped
+  std::vector<DepthSeen> depth;           ///< 0 for the background
+  std::vector<TexelSeen> texel;           ///< empty without textures, or if they are bilinear or mipmapped
 };
 
-/// Colours tell 65,535 triangles apart.
+/// The colours can distinguish 65,535 triangles.
 constexpr std::uint32_t label_of(std::uint32_t triangle) { return triangle % 65535 + 1; }
 
-/// Pixels as `zstrip render` would draw them, and where that needs it with other memory.
+/// Pixels as `zstrip render` draws them, in other memory where needed.
 struct Drawn {
   std::vector<std::byte> pixels;
   std::vector<std::uint32_t> code;  ///< only on request
 };
-/// `effects`: beside those that the scene calls for.
+/// `effects`: in addition to those that the scene needs.
 Result<Drawn> draw(const Staging& staged, const View& view, Effects effects, const Budget& budget, bool with_depth);
 
-/// Of each triangle and quadric the texture that it shows; null where none.
+/// Returns the texture of each triangle and quadric, null if it has none.
 std::vector<const Texture*> textures_of(const Scene& scene);
 
-/// Draws the scene, once with each triangle in a colour of its own, and once more with each texel in one; these two
-/// with one sample a pixel, because neither labels nor places have a mean. `staged` is as SceneVariant::apply left it.
+/// Draws the scene, then with a colour for each triangle, then with a colour for each texel. The latter two have one
+/// sample a pixel, because labels and positions have no mean. `staged` is as SceneVariant::apply left it.
 Result<Observation> observe(const Staging& staged, const View& view, const Settings& settings);
 
-/// 0..255 a channel, of the view's pixels.
+/// Converts the view's pixels to 0..255 a channel.
 std::vector<std::array<std::uint8_t, 3>> to_rgb(const View& view, std::span<const std::byte> pixels);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Static HTML with everything in it; the script (page/page.js) only makes it easier to look through.
+// Writes a complete static HTML page; the script (page/page.js) only makes it easier to read.
 #include "accuracy/page.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ Result<std::vector<std::uint8_t>> png_of(const View& view, const std::vector<Pix
 
 std::string figure_text(double value) {
   if (std::isnan(value)) return "–";
-  if (std::abs(value) < 1e-7) return "0";  // what arithmetic in double leaves
+  if (std::abs(value) < 1e-7) return "0";  // the rounding error of double arithmetic
   if (value == std::floor(value) && std::abs(value) < 1e6) return fmt::format("{:.0f}", value);
   return std::abs(value) >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }
@@ -100,7 +100,7 @@ std::string table(const PageScene& scene) {
   return html + "</tbody></table></div>\n";
 }
 
-/// Where the error comes from, at the default and with other values of the knobs that change it.
+/// The causes of the error, with the default and with other values of the knobs that change them.
 std::string causes_table(const Campaign& campaign) {
   if (campaign.causes.empty()) return "";
   std::string html =
@@ -153,13 +153,13 @@ std::string scene_json(const PageScene& scene) {
                         data_url(p.heat));
   }
   text += "}}";
-  // Nothing in it may end the element that holds it.
+  // Escapes text that could end the enclosing element.
   std::string safe;
   for (const char c : text) safe += c == '<' ? "\\u003c" : std::string(1, c);
   return safe;
 }
 
-/// The default and its truth, for those without the script.
+/// The default and its truth, for browsers without the script.
 std::string default_pictures(const PageScene& scene) {
   for (const PointPictures& p : scene.pictures) {
     if (scene.campaign.points[p.point].settings != Settings{}) continue;

@@ -1,4 +1,4 @@
-// The page that shows what accuracy costs: one HTML file that opens from disk and needs nothing else.
+// The page that shows the cost of accuracy: one HTML file that opens from disk and needs no other file.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace zstrip::sim {
 
 /// Pictures of one point, as PNG files.
 struct PointPictures {
-  std::size_t point = 0;  ///< its place in the campaign
+  std::size_t point = 0;  ///< index in the campaign
   std::vector<std::uint8_t> drawn, heat;
 };
 struct PageScene {
@@ -20,10 +20,10 @@ struct PageScene {
   std::vector<PointPictures> pictures;
 };
 
-/// Draws the pictures of points that matter most: those with one knob turned and those on the front.
+/// Draws the pictures of the most important points: those with one changed knob, and those on the front.
 Result<PageScene> with_pictures(const AccuracyScene& scene, Campaign campaign, unsigned jobs);
 
-/// What one types to measure this point again.
+/// Returns the command line that measures this point again.
 std::string command_of(const AccuracyPoint& point, const AccuracyRequest& request);
 
 std::string accuracy_page(const std::vector<PageScene>& scenes);

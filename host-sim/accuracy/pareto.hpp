@@ -1,4 +1,4 @@
-// Which of several points are worth having: no other is better in one respect and as good in the others.
+// Finds the points that no other point beats: none is better in one respect and at least as good in the others.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@ namespace zstrip::sim {
 /// Less is better in each.
 using Respects = std::array<double, 3>;
 
-/// Whether `a` is nowhere worse than `b` and somewhere better.
+/// True if `a` is at least as good as `b` in all respects, and better in one.
 bool dominates(const Respects& a, const Respects& b);
 
-/// Of each point whether none dominates it. Of equal ones the first alone.
+/// Returns true for each point that no other point dominates. Of equal points only the first gets true.
 std::vector<bool> pareto_front(std::span<const Respects> points);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// From sRGB to CIELAB, smoothed, and the distance there.
+// Converts sRGB to CIELAB, smooths it, and computes the distance.
 #include "accuracy/perceived.hpp"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 namespace zstrip::sim {
 namespace {
 
-// Of numbers of 0.008 to 1.1, by Newton's method. Libraries differ in the last bit of their cbrt and pow, and so would
-// the playground's picture from the command's.
+// Cube root of numbers of 0.008 to 1.1, by Newton's method. Libraries differ in the last bit of their cbrt and pow, so
+// that the playground's picture would differ from the command's.
 double cube_root(double x) {
   double root = 1;
   for (int i = 0; i < 12; ++i) root -= (root - x / (root * root)) / 3;
@@ -18,7 +18,7 @@ double cube_root(double x) {
 float length(float a, float b) { return std::sqrt(a * a + b * b); }
 
 double power_2_4(double x) {
-  double root = 1;  // the fifth
+  double root = 1;  // the fifth root
   for (int i = 0; i < 12; ++i) root -= (root - x / (root * root * root * root)) / 5;
   return x * x * root * root;
 }
@@ -39,7 +39,7 @@ std::array<float, 3> lab(const std::array<float, 3>& srgb) {
           static_cast<float>(200 * (f[1] - f[2]))};
 }
 
-/// 3x3 binomial: about what a display of 67 pixels a degree leaves of one pixel's contrast.
+/// 3x3 binomial: keeps about as much of one pixel's contrast as is visible on a display of 67 pixels a degree.
 std::vector<std::array<float, 3>> smoothed(std::uint32_t width, std::uint32_t height,
                                            const std::vector<std::array<float, 3>>& from) {
   std::vector<std::array<float, 3>> out(from.size());

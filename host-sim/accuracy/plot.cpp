@@ -42,7 +42,7 @@ class Axis {
   double at(double value) const {
     return from_ + (std::log10(std::max(value, 1e-6)) - low_) / (high_ - low_) * (to_ - from_);
   }
-  /// 1, 2 and 5 of each decade; in short ranges all tenths.
+  /// Returns 1, 2 and 5 of each decade; in short ranges all tenths.
   std::vector<double> ticks() const {
     std::vector<double> found;
     for (int decade = static_cast<int>(std::floor(low_)); decade <= static_cast<int>(std::ceil(high_)); ++decade) {
@@ -67,7 +67,7 @@ std::string short_number(double value) {
 
 double error_of(const AccuracyPoint& point) { return point.errors[Figure::perceived]; }
 
-/// "flat", "strips 4"; what turns several knobs has a name if it is a preset.
+/// Returns "flat", "strips 4"; settings of several knobs have a name if they are a preset.
 std::string short_name(const AccuracyPoint& point) {
   for (const NamedSettings& named : named_settings()) {
     if (named.settings == point.settings && group_of(point) == "several") return std::string(named.name);
@@ -83,7 +83,7 @@ std::string short_name(const AccuracyPoint& point) {
   return "default";
 }
 
-/// Of the knobs that are turned a coloured dot and a name, in as many lines as they need.
+/// A coloured dot and a name for each varied knob, in as many lines as they need.
 struct Legend {
   std::string svg;
   int lines = 1;
@@ -115,7 +115,7 @@ Legend legend_of(const Campaign& campaign) {
   return legend;
 }
 
-/// Above the axes, `above` high: the scene and the legend.
+/// Draws the scene and the legend above the axes, in a height of `above`.
 std::string head(const Campaign& campaign, const Legend& legend, double above) {
   return fmt::format(
              "<rect y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#fff\"/><text x=\"{}\" y=\"{}\" font-size=\"15\" "
@@ -124,7 +124,7 @@ std::string head(const Campaign& campaign, const Legend& legend, double above) {
          legend.svg;
 }
 
-/// The names of the default and of points that turn one knob; of points on top of each other the first that fits.
+/// Writes the names of the default and of points with one changed knob; of coinciding points only the first that fits.
 std::string names(const Campaign& campaign, const Axis& x, const Axis& y) {
   std::string svg;
   std::vector<std::array<double, 2>> taken;
@@ -135,7 +135,7 @@ std::string names(const Campaign& campaign, const Axis& x, const Axis& y) {
     });
     if (!free) return;
     taken.push_back({at_x, at_y});
-    // Upwards from the point, or downwards where there is no room.
+    // Upwards from the point, or downwards if there is no room.
     const double angle = at_y < kTop + 80 ? 60 : -60;
     svg += fmt::format(
         "<text transform=\"translate({:.1f} {:.1f}) rotate({})\" x=\"13\" y=\"4\" font-size=\"11\" font-weight=\"{}\" "
@@ -174,7 +174,7 @@ const AccuracyPoint* recommended(const Campaign& campaign) {
     const bool fine = error_of(point) <= 1.05 * error_of(*standard) &&
                       point.errors[Figure::wrong_pixels] <= 1.05 * standard->errors[Figure::wrong_pixels] &&
                       point.cost.ram_bytes <= standard->cost.ram_bytes;
-    // Instructions are exact, but what saves a hundredth is no reason to change anything; a clock's times scatter.
+    // Instructions are exact, but a gain of one percent is too small for a recommendation; the times of a clock vary.
     const double gain = point.cost.instructions ? 0.98 : 0.95;
     if (fine && time_of(point) < gain * time_of(*best)) best = &point;
   }

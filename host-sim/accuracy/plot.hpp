@@ -1,4 +1,4 @@
-// Cost against error as SVG.
+// Plots cost against error as SVG.
 #pragma once
 
 #include <string>
@@ -9,22 +9,23 @@
 
 namespace zstrip::sim {
 
-/// The colour group of a point: "default", the name of the knob that it turns, "several".
+/// Returns the colour group of a point: "default", the name of its changed knob, or "several".
 std::string group_of(const AccuracyPoint& point);
-/// #rrggbb, also distinguishable with impaired colour vision.
+/// Returns #rrggbb; the colours can be distinguished with impaired colour vision.
 std::string_view colour_of_group(std::string_view group);
 
-/// The settings for a campaign's scene: of the front the fastest point that looks no worse than the default by more
-/// than a twentieth and takes no more RAM.
+/// Returns the recommended settings for a campaign's scene: the fastest point on the front whose perceived error
+/// exceeds the default's by at most a twentieth and which takes no more RAM.
 const AccuracyPoint* recommended(const Campaign& campaign);
 
-/// "time on m3, instructions a frame" or that of the host.
+/// Returns "time on m3, instructions a frame", or the label for the host.
 std::string time_label(const Campaign& campaign);
 
-/// One picture, for a page, whose script finds the points by data-point, their places in the campaign.
+/// Returns one plot for a page. Its script finds the points by data-point, their index in the campaign.
 std::string plot_svg(const Campaign& campaign);
 
-/// The same for a file of its own: with a title, what the colours mean, and the names of the points that turn one knob.
+/// Returns the plot for a separate file: with a title, a legend of colours, and the names of points with one changed
+/// knob.
 std::string plot_file_svg(const Campaign& campaign);
 
 }  // namespace zstrip::sim

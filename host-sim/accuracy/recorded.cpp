@@ -1,4 +1,4 @@
-// Lines of CSV to points of campaigns.
+// Converts lines of CSV to points of campaigns.
 #include "accuracy/recorded.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ RecordedTable::Row fields_of(const std::string& line) {
   return found;
 }
 
-/// Throws std::out_of_range and std::invalid_argument where a field is no number.
+/// Throws std::out_of_range and std::invalid_argument if a field is not a number.
 AccuracyPoint point_of(const RecordedTable& table, const RecordedTable::Row& row) {
   const auto field = [&](std::string_view name) { return table.field(row, name); };
   AccuracyPoint point{.scene = field("scene"), .target = "m3", .settings = {}, .part = "one", .errors = {}, .cost = {}};

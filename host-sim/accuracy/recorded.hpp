@@ -1,4 +1,4 @@
-// Figures that were written down before (docs/measured/accuracy.csv), to be drawn and tabulated again.
+// Recorded figures (docs/measured/accuracy.csv), for plots and tables.
 #pragma once
 
 #include <map>
@@ -11,19 +11,20 @@
 
 namespace zstrip::sim {
 
-/// A CSV file without quotes. A field that a line ends before is empty.
+/// A CSV file without quotes. Missing fields at the end of a line are empty.
 class RecordedTable {
  public:
   using Row = std::vector<std::string>;
-  /// Its first columns are `first`. Failures: ExitStatus::input for a file that cannot be read, or without these.
+  /// The first columns must be `first`. Failures: ExitStatus::input for a file that cannot be read, or with other
+  /// columns.
   static Result<RecordedTable> read(const std::string& file, const std::vector<std::string>& first);
 
   const std::string& file() const { return file_; }
   const std::vector<std::string>& names() const { return names_; }
   const std::vector<Row>& rows() const { return rows_; }
-  /// Empty for a column that the table does not have.
+  /// Returns the field, empty if the table does not have the column.
   std::string field(const Row& row, std::string_view name) const;
-  /// The first row whose first fields are these; null if there is none.
+  /// Returns the row whose first fields are `first`, or null.
   const Row* find(const std::vector<std::string>& first) const;
 
  private:
@@ -32,8 +33,8 @@ class RecordedTable {
   std::vector<Row> rows_;
 };
 
-/// The scenes of a table as accuracy_csv() writes it, with the instructions of the Cortex-M3; in its order, lines
-/// without these left out. Failures: ExitStatus::input for a table of another form.
+/// Returns the scenes of a table that accuracy_csv() wrote, with the instructions of the Cortex-M3, in the table's
+/// order. Lines without instructions are left out. Failures: ExitStatus::input for a table of another form.
 Result<std::vector<Campaign>> recorded_campaigns(const RecordedTable& table);
 
 }  // namespace zstrip::sim

@@ -19,7 +19,7 @@ std::string field(const std::optional<T>& value) {
   return value ? fmt::format(",{}", *value) : ",";
 }
 
-/// Names of files may hold commas and quotes.
+/// Quotes a name: names of files may contain commas and quotes.
 std::string csv_text(const std::string& name) {
   if (name.find_first_of(",\"") == std::string::npos) return name;
   std::string text = "\"";
@@ -80,7 +80,7 @@ std::string accuracy_csv(std::span<const Campaign> campaigns) {
 
 std::string causes_csv(std::span<const Campaign> campaigns) {
   std::string csv = "scene,cause,settings" + names_of_figures();
-  std::map<std::string, const Campaign*> scenes;  // of all targets of a scene the causes are the same
+  std::map<std::string, const Campaign*> scenes;  // the causes are the same for all targets of a scene
   for (const Campaign& campaign : campaigns) scenes.try_emplace(scene_name(campaign.request), &campaign);
   for (const auto& [scene, campaign] : scenes) {
     for (const CauseErrors& found : campaign->causes) {

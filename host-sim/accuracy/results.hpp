@@ -8,14 +8,14 @@
 
 namespace zstrip::sim {
 
-/// One line a scene and settings, in the order of their names: the time on each target, side by side, then what all
-/// targets share (the flash of the program is the Cortex-M3's, if that is among them). Empty fields where a figure was
-/// not measured or has no meaning.
+/// Returns one line for each scene and settings, sorted by name: the time on each target, side by side, then the
+/// figures that all targets share (the flash of the program is the Cortex-M3's, if it was measured). Fields are empty
+/// if a figure was not measured or is not defined.
 std::string accuracy_csv(std::span<const Campaign> campaigns);
-/// Where the error comes from: one line a scene, cause and settings of its knobs, scenes in the order
-/// of their names.
+/// Returns the causes of the error: one line for each scene, cause and settings of its knobs, sorted by the scenes'
+/// names.
 std::string causes_csv(std::span<const Campaign> campaigns);
-/// An array with one object a campaign; the keys are documented in accuracy/README.md.
+/// Returns an array with one object for each campaign; accuracy/README.md documents the keys.
 std::string accuracy_json(std::span<const Campaign> campaigns);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// One function a table.
+// One function for each table.
 #include "accuracy/tables.hpp"
 
 #include <fmt/format.h>
@@ -13,12 +13,12 @@ namespace {
 
 using Row = RecordedTable::Row;
 
-/// A number with so many decimals, `-` where none was measured.
+/// Returns a number with so many decimals, `-` if it was not measured.
 std::string number(const std::string& field, int decimals, double unit = 1) {
   return field.empty() ? "-" : fmt::format("{:.{}f}", std::stod(field) / unit, decimals);
 }
 
-/// A depth in the scene's lengths: what is next to nothing is 0.
+/// Returns a depth in the scene's units; values close to 0 become 0.
 std::string length(const std::string& field) {
   if (field.empty()) return "-";
   const double value = std::stod(field);
@@ -27,7 +27,7 @@ std::string length(const std::string& field) {
 
 std::string integer(const std::string& field) { return field.empty() ? "-" : field; }
 
-/// How much more than `standard`; `=` where they are the same.
+/// Returns the change relative to `standard`; `=` if there is none.
 std::string change(const std::string& field, const std::string& standard) {
   if (field.empty() || standard.empty()) return "-";
   if (field == standard) return "=";
@@ -42,7 +42,7 @@ std::vector<std::string> scenes_of(const RecordedTable& table) {
   return scenes;
 }
 
-/// A preset that changes nothing of a scene is the default there, and has no row.
+/// The presets. A preset that does not change a scene is the default there, and has no row.
 std::string presets(const RecordedTable& table) {
   std::string text =
       "| Scene | Preset | M0 | M3 | M4F | RAM | scene | visible error | FLIP "
@@ -63,7 +63,7 @@ std::string presets(const RecordedTable& table) {
   return text;
 }
 
-/// Pictures without anti-aliasing, with edges alone, with samples.
+/// Pictures without anti-aliasing, with edges only, with samples.
 std::string anti_aliasing(const RecordedTable& table) {
   std::string text =
       "| Scene | visible error: none, **edges**, 2, 4 samples | FLIP | flicker | M3, million instructions | RAM, KB "
@@ -100,7 +100,7 @@ std::string causes_at_the_default(const RecordedTable& table) {
   return text;
 }
 
-/// The default with its figures; below, for each setting, costs as a change of these, errors as they are.
+/// The default with its figures; below it each setting, costs as a change of these figures, errors unchanged.
 std::string settings_of(const RecordedTable& table, const std::string& scene) {
   constexpr std::array kCosts{"m0", "m3", "ram_bytes", "scene_bytes", "program_bytes"};
   std::string text =

@@ -1,4 +1,4 @@
-// From a scene to the corners and looks of its polygons, which truth_raster.hpp draws.
+// Converts a scene to polygons with corners and looks, which truth_raster.hpp draws.
 #include "accuracy/truth.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ Corner between(const Corner& a, const Corner& b, double t) {
   return c;
 }
 
-/// Keeps where sign * (w - plane) >= 0.
+/// Keeps the part of the polygon with sign * (w - plane) >= 0.
 std::vector<Corner> cut(const std::vector<Corner>& polygon, double plane, double sign) {
   std::vector<Corner> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -53,7 +53,7 @@ Vector world_normal(const Transform& transform, const Normal& n) {
   return transformed(transform, {double(n.x), double(n.y), double(n.z)}, true);
 }
 
-/// Whether light is found at each sample: everywhere but on flat faces; where light is interpolated, as in `stages`.
+/// True if each sample is lit: everywhere except on flat faces; with interpolation of light only as `stages` says.
 bool is_lit_at_samples(const Mesh& mesh, const Material& material, const Stages& stages) {
   if (!material.lit || mesh.normals.empty()) return false;
   return material.smooth == Shading::pixel || (material.smooth && !stages.interpolation);
@@ -65,7 +65,7 @@ ColourKind kind_of(const Mesh& mesh, const Material& material, bool textured) {
   return material.smooth && varies ? ColourKind::gradient : ColourKind::even;
 }
 
-/// The colour of a vertex without its texture, and without light where that is its samples'.
+/// Returns the colour of a vertex without its texture, and without light if samples are lit.
 Vector vertex_colour(const Scene& scene, const Transform& transform, const Mesh& mesh, const Material& material,
                      std::uint16_t vertex, bool lit_at_samples) {
   Vector rgb{double(material.colour.r), double(material.colour.g), double(material.colour.b)};
@@ -91,7 +91,7 @@ std::string in_words(const FoundEffect& found) {
 
 constexpr std::uint32_t kScale = 4;
 
-/// Of the 16 samples of a pixel.
+/// Returns one of the 16 samples of a pixel.
 const TruthSample& sample_of(const TruthPicture& fine, std::uint32_t x, std::uint32_t y, std::uint32_t i) {
   return fine.at(kScale * x + i % kScale, kScale * y + i / kScale);
 }

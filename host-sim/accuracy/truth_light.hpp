@@ -15,20 +15,20 @@ inline constexpr double kOne30 = 1073741824;  // 2.30
 Vector vector_of(const Vec3& v, double one);
 double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);
-/// Zero stays zero.
+/// Returns a unit vector; the zero vector stays zero.
 Vector normalised(const Vector& a);
-/// Of the matrix; the fourth is the translation.
+/// Returns a column of the matrix; column 3 is the translation.
 Vector column(const Transform& transform, std::size_t index);
-/// Without the translation if `direction`.
+/// Transforms a point, or a direction without the translation.
 Vector transformed(const Transform& transform, const Vector& p, bool direction);
 
-/// 0..255 a channel, of a surface without texture and vertex colours. `normal`: any length.
+/// Returns the lit colour of a surface without texture and vertex colours, 0..255 a channel. `normal`: any length.
 Vector lit_colour(const Scene& scene, const Material& material, const Vector& normal);
 
-/// The texel in which a place lies, in texels; textures repeat.
+/// Returns the texel that contains a position in texels; textures repeat.
 Vector texel_at(const Texture& texture, double u, double v);
 
-/// The part of a colour that is seen through the fog at distance w along the viewing direction.
+/// Returns the part of a colour that is visible through the fog at distance w along the viewing direction.
 double visible_share(const Fog& fog, double w);
 
 }  // namespace zstrip::sim::truth

@@ -1,4 +1,4 @@
-// Rays against the unit sphere, in its own space.
+// Intersects rays with the unit sphere, in the sphere's own space.
 #include "accuracy/truth_quadrics.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::optional<QuadricSample> QuadricTruth::at(double x, double y) const {
   const Vector ahead = sum({}, -1, back_);
   const Vector from = sum(orthographic_ ? sum(eye_, 1, aside) : eye_, -1, centre_);
   const Vector origin = to_sphere(from), direction = to_sphere(orthographic_ ? ahead : sum(aside, 1, ahead));
-  // |origin + w direction| = 1, from the ray's point that is nearest to the centre.
+  // Solves |origin + w direction| = 1, from the ray's point that is nearest to the centre.
   const double length2 = dot(direction, direction);
   const double closest = -dot(origin, direction) / length2;
   const Vector nearest = sum(origin, closest, direction);

@@ -1,4 +1,4 @@
-// What a ray sees of a sphere or ellipsoid, in double precision.
+// The visible point of a sphere or ellipsoid on a ray, in double precision.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,14 @@ struct QuadricSample {
   Vector rgb{};         ///< 0..255, without fog
 };
 
-/// One quadric of a scene before a camera; views of the scene.
+/// One quadric of a scene, seen by a camera. Holds views of the scene.
 class QuadricTruth {
  public:
   QuadricTruth(const Scene& scene, const Quadric& quadric, const Camera& camera);
 
-  /// Along the ray through a place in the picture, in picture heights from its middle, y upwards: what lies between
-  /// near and far plane; of a double-sided one the inner side, where the outer is cut away.
+  /// Returns the sample on the ray through a position in the picture, in picture heights from its middle, y upwards:
+  /// the surface between near and far plane. A double-sided quadric shows its inner side where the outer side is
+  /// clipped.
   std::optional<QuadricSample> at(double x, double y) const;
 
  private:
@@ -30,7 +31,7 @@ class QuadricTruth {
 
   const Scene& scene_;
   const Material& material_;
-  Vector rows_[3];  ///< of the inverse of the sphere's axes
+  Vector rows_[3];  ///< rows of the inverse of the sphere's axes
   Vector centre_, eye_, right_, up_, back_;
   double focal_, near_, far_;
   bool orthographic_;

@@ -1,5 +1,5 @@
-// The rasteriser of the truth: polygons and quadrics to samples in double precision, each stage exact or as coarse as
-// the renderer's.
+// The rasteriser of the truth: converts polygons and quadrics to samples in double precision. Each stage is exact or
+// has the renderer's precision.
 #pragma once
 
 #include <algorithm>
@@ -17,22 +17,22 @@
 
 namespace zstrip::sim::truth {
 
-/// A corner of a polygon: where it is, and how much of each corner of the triangle it is.
+/// A corner of a polygon: its position, and its weights of the corners of the triangle.
 struct Corner {
   double x = 0, y = 0, w = 0;  ///< view space, w along the viewing direction
   Vector share{};
 };
 
-/// What a triangle looks like, whatever its shape on the screen.
+/// The attributes of a triangle that do not depend on its shape on the screen.
 struct Look {
   std::uint32_t number = 0;
-  std::array<Vector, 3> rgb{};                ///< 0..255, of the corners
+  std::array<Vector, 3> rgb{};                ///< 0..255, at the corners
   std::array<std::array<double, 2>, 3> uv{};  ///< texels
   const Texture* texture = nullptr;
   bool lit_texture = false;
-  const Scene* scene = nullptr;        ///< only where samples are lit: `rgb` are vertex colours then
-  const Material* material = nullptr;  ///< likewise
-  std::array<Vector, 3> normal{};      ///< likewise, in the world, as long as the mesh's
+  const Scene* scene = nullptr;        ///< only if samples are lit: `rgb` are vertex colours then
+  const Material* material = nullptr;  ///< only if samples are lit
+  std::array<Vector, 3> normal{};      ///< only if samples are lit: in world space, of the mesh's lengths
   ColourKind kind = ColourKind::even;
 };
 
@@ -61,12 +61,12 @@ class Rasteriser {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       Triangle3 t{{project(polygon[0]), project(polygon[i - 1]), project(polygon[i])}, 0};
       t.area = edge(t.p[0], t.p[1], t.p[2].x, t.p[2].y);
-      // Counter-clockwise before y is turned downwards: negative here.
+      // Counter-clockwise with y upwards; y is downwards here, so that the area is negative.
       if (t.area > 0 && !double_sided) continue;
       if (t.area < 0) std::swap(t.p[1], t.p[2]), t.area = -t.area;
       if (t.area > 0) fan.push_back(t);
     }
-    // Runs of texels go over the whole of what clipping left.
+    // Runs of texels cover the whole clipped polygon.
     if (stages_.interpolation && look.texture != nullptr) find_rows(fan);
     for (const Triangle3& t : fan) {
       for_each_inside(t, [&](std::uint32_t x, std::uint32_t y) { shade(t, look, x, y); });
@@ -90,7 +90,7 @@ class Rasteriser {
     double w;
     Vector share;
   };
-  /// On the screen, its area positive.
+  /// On the screen, with a positive area.
   struct Triangle3 {
     std::array<Point, 3> p;
     double area;
@@ -99,7 +99,7 @@ class Rasteriser {
   struct Row {
     std::uint32_t first = UINT32_MAX, last = 0;
   };
-  /// A place on a triangle: its distance, and how much of each corner of the whole triangle it is.
+  /// A point of a triangle: its distance, and its weights of the corners of the whole triangle.
   struct Place {
     double w;
     Vector share;
@@ -123,7 +123,7 @@ class Rasteriser {
   static Vector edges(const Triangle3& t, double x, double y) {
     return {edge(t.p[1], t.p[2], x, y), edge(t.p[2], t.p[0], x, y), edge(t.p[0], t.p[1], x, y)};
   }
-  /// With y downwards and a positive area: the interior lies to the right of the edge's direction.
+  /// With y downwards and a positive area the interior is to the right of the edge's direction.
   static bool is_top_left(const Point& a, const Point& b) { return b.y < a.y || (b.y == a.y && b.x > a.x); }
 
   template <class Visit>
@@ -179,7 +179,7 @@ class Rasteriser {
     return sum;
   }
 
-  /// Linear on the screen, in steps, between what the corners have of it.
+  /// Interpolates the corners' values linearly on the screen, in steps.
   double stepped(const Triangle3& t, const std::array<double, 3>& value, std::uint32_t x, std::uint32_t y) const {
     return truth::stepped({{{t.p[0].x, t.p[0].y}, {t.p[1].x, t.p[1].y}, {t.p[2].x, t.p[2].y}}}, value, x + 0.5,
                           y + 0.5);
@@ -196,7 +196,7 @@ class Rasteriser {
     return at;
   }
 
-  /// Exact where the run begins and ends, linear between.
+  /// Exact at the ends of the run, linear between.
   std::array<double, 2> texels_of_run(const Triangle3& t, const Look& look, std::uint32_t x, std::uint32_t y) const {
     const std::uint32_t run = *stages_.interpolation;
     if (run == 0) return stepped(t, look.uv, x, y);
@@ -262,7 +262,7 @@ class Rasteriser {
   const Fog* fog_;
   double focal_ = 0;
   TruthPicture picture_;
-  std::vector<Row> rows_;  ///< of the polygon that is drawn
+  std::vector<Row> rows_;  ///< of the polygon that is being drawn
 };
 
 }  // namespace zstrip::sim::truth

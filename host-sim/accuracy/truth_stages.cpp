@@ -1,4 +1,4 @@
-// Codes, linear forms, gradients and formats as their documents define them.
+// Codes, linear forms, gradients and formats as the documents define them.
 #include "accuracy/truth_stages.hpp"
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace zstrip::sim::truth {
 namespace {
 
-/// Distances along the viewing direction.
+/// A range of distances along the viewing direction.
 struct Reach {
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
 };
 
-/// Of all bounds that reach into the camera's range.
+/// Returns the range of all bounds that reach into the camera's range.
 Reach fitted(const Scene& scene, const Camera& camera) {
   const Vector back = vector_of(camera.back, kOne30), eye = vector_of(camera.eye, kOne16);
   const double near = camera.near_plane / kOne16, far = camera.far_plane / kOne16;
@@ -44,15 +44,15 @@ Reach fitted(const Scene& scene, const Camera& camera) {
   return {span.nearest * (1 - wider), span.farthest * (1 + wider)};
 }
 
-/// 2^62 / divisor, to 2^-28 of itself; 2^31 <= divisor < 2^32.
+/// Returns 2^62 / divisor with a relative error of 2^-28; 2^31 <= divisor < 2^32.
 double reciprocal_of(double divisor) {
   const double quotient = std::floor(4294967295.0 / std::floor(divisor / 65536)) * 16384;
-  // A Newton step of which upper words of products are kept.
+  // A Newton step that keeps only the upper words of products.
   const double product = std::floor(std::ldexp(std::floor(divisor) * quotient, -32));
   return 2 * std::floor(std::ldexp(quotient * 2 * (std::ldexp(1.0, 31) - product), -32));
 }
 
-/// 0..63: B. E. Bayer's matrix of order 8.
+/// Returns 0..63: B. E. Bayer's matrix of order 8.
 unsigned bayer(std::uint32_t x, std::uint32_t y) {
   unsigned value = 0;
   for (unsigned bit = 0; bit < 3; ++bit) {
@@ -133,7 +133,7 @@ FixedTransform::FixedTransform(const Mesh& mesh, const Transform& transform, con
       y_(form_of(vector_of(camera.up, kOne30), mesh, transform, camera)),
       w_(form_of(vector_of(camera.back, -kOne30), mesh, transform, camera)),
       orthographic_(camera.projection == Projection::orthographic) {
-  int exponent = 0;  // of two: it is in the shift
+  int exponent = 0;  // power of two, added to the shift
   mantissa_ = std::frexp(camera.focal / kOne16 * view.height / 2, &exponent);
   for (Form* const form : {&x_, &y_}) {
     for (double& c : form->coefficient) c = std::floor(c * mantissa_);
@@ -144,14 +144,14 @@ FixedTransform::FixedTransform(const Mesh& mesh, const Transform& transform, con
 FixedVertex FixedTransform::at(const Position& p) const {
   const double x = x_.at(p), y = y_.at(p), w = w_.at(p);
   const auto length = [this](double value, const Form& form) { return std::ldexp(value / mantissa_, form.exponent); };
-  // What lies behind the camera is not divided.
+  // Points behind the camera are not divided.
   if (orthographic_ || w <= 0) return {length(x, x_), length(y, y_), std::ldexp(w, w_.exponent)};
   int bits = 0;
   std::frexp(w, &bits);
   const double inverse = reciprocal_of(std::ldexp(w, 32 - bits));  // 2^(62 - 32 + bits) / w
   const auto divided = [&](double value) { return std::ldexp(std::floor(std::ldexp(value * inverse, -32)), 2 - bits); };
   const double distance = std::ldexp(1 / inverse, 30 + bits + w_.exponent);
-  // On the screen exactly what the product left, at the distance of which the reciprocal was found.
+  // Converts the product back to a length on the screen, at the distance whose reciprocal was used.
   const auto back = [&](double value, const Form& form) {
     return std::ldexp(divided(value) / mantissa_, form.exponent - w_.exponent) * distance;
   };

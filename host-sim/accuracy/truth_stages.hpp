@@ -1,6 +1,6 @@
-// Stages of drawing as coarse as the renderer's, each alone: snapped corners, the transform in fixed point, what is
-// interpolated, depth in codes, colours of the display. After docs/conventions.md and docs/numerics.md, in double
-// precision; shares no code with the renderer.
+// Stages of drawing with the renderer's precision, each separate: snapped corners, the transform in fixed point,
+// interpolated values, depth in codes, colours of the display. After docs/conventions.md and docs/numerics.md, in
+// double precision; shares no code with the renderer.
 #pragma once
 
 #include <array>
@@ -15,31 +15,31 @@
 
 namespace zstrip::sim {
 
-/// Which stages are coarse; without any of them the picture is exact.
+/// Selects the coarse stages; without any of them the picture is exact.
 struct Stages {
   bool snapping = false;   ///< corners rounded to 1/16 pixel
-  bool transform = false;  ///< linear forms of 32 bits, each product rounded down, and 1/w to 2^-28
-  /// Light where the material has it (first vertex, vertices, pixels), colours linear on the screen, depth stepped with
-  /// 16 fraction bits, texture coordinates exact at every so many pixels of a row (0: at the corners) and linear
+  bool transform = false;  ///< linear forms of 32 bits, each product rounded down, and 1/w with an error of 2^-28
+  /// Light at the material's places (first vertex, vertices, pixels), colours linear on the screen, depth stepped with
+  /// 16 fraction bits. Texture coordinates are exact at every so many pixels of a row (0: at the corners), and linear
   /// between.
   std::optional<std::uint32_t> interpolation{};
-  /// Pixels keep codes of this format. `ranges`: of sub-ranges.
+  /// Pixels keep codes of this format. `ranges`: with sub-ranges.
   struct Depth {
     DepthFormat format = DepthFormat::z16;
     bool ranges = false;
   };
   std::optional<Depth> depth{};
-  std::optional<View> colour{};  ///< pixels are of this format, dithered if it is
+  std::optional<View> colour{};  ///< pixels have this format, with its dithering
 };
 
 namespace truth {
 
-/// Depth codes of a frame, with the range fitted to the scene unless the camera's is fixed.
+/// Depth codes of a frame. The range is fitted to the scene unless the camera's is fixed.
 class DepthCodes {
  public:
   DepthCodes(const Scene& scene, const Camera& camera, const Stages::Depth& depth);
 
-  /// What codes count, not rounded; greater is nearer. Of float16 what it is a float of.
+  /// Returns the value that codes represent, not rounded; greater is nearer. For float16 the number that is encoded.
   double linear(double w) const;
   double distance(double linear) const;
   std::uint32_t code(double w) const;
@@ -50,7 +50,7 @@ class DepthCodes {
   double near_, far_, first_, span_;
 };
 
-/// A vertex as 32 bits carry it to the screen.
+/// A vertex after the transform in 32 bits.
 struct FixedVertex {
   double x, y, w;  ///< view space, w along the viewing direction
 };
@@ -72,16 +72,16 @@ class FixedTransform {
   static Form form_of(const Vector& axis, const Mesh& mesh, const Transform& transform, const Camera& camera);
 
   Form x_, y_, w_;
-  double mantissa_ = 1;  ///< of the pixels of a unit at distance 1: 0.5..1
+  double mantissa_ = 1;  ///< pixels of a unit at distance 1, 0.5..1
   bool orthographic_;
 };
 
-/// A plane through three values on the screen, stepped from the first with gradients of 16 fraction bits.
+/// Evaluates the plane through three values on the screen, stepped from the first with gradients of 16 fraction bits.
 double stepped(const std::array<std::array<double, 2>, 3>& at, const std::array<double, 3>& value, double x, double y);
 
-/// What a surface's colour was made of: it decides how it is rounded and whether it is dithered.
+/// The source of a surface's colour, which decides its rounding, and if it is dithered.
 enum class ColourKind : std::uint8_t { even, gradient, texel, lit_texel };
-/// A colour as a pixel of the picture shows it, 0..255 a channel.
+/// Returns a colour as a pixel of the picture shows it, 0..255 a channel.
 std::array<float, 3> shown(const View& picture, const Vector& rgb, ColourKind kind, std::uint32_t x, std::uint32_t y);
 
 }  // namespace truth

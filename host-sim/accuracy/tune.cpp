@@ -1,4 +1,4 @@
-// Errors and memory of all settings on this machine; time on the target only of those that look cheapest.
+// Finds errors and memory of all settings on this machine; times only the cheapest candidates on the target.
 #include "accuracy/tune.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ struct Candidate {
   Settings settings;
   Errors errors;
   std::uint64_t ram = 0, flash = 0;
-  double expected_time = 0;  ///< as if what each knob saves did not depend on the others
+  double expected_time = 0;  ///< if the knobs' savings were independent of each other
 };
 
 bool within(double value, const std::optional<double>& limit) { return !limit || value <= *limit; }
@@ -36,8 +36,8 @@ Checks checked(const Candidate& c, const Limits& limits) {
           !limits.flash || c.flash <= *limits.flash};
 }
 
-/// All that is a matter of choice: the display's format is not. More samples a pixel and dithering cost, and never make
-/// surfaces more right: they are for limits on how wrong it may look.
+/// Returns the knobs to choose from. The display's format is given. More samples a pixel and dithering only cost, and
+/// do not make surfaces more correct: they are used if there is a limit on the perceived error.
 std::vector<Knob> choices(const AccuracyScene& scene, const Limits& limits) {
   std::vector<Knob> knobs = scene.knobs();
   std::erase_if(knobs, [&](Knob knob) {
@@ -47,7 +47,7 @@ std::vector<Knob> choices(const AccuracyScene& scene, const Limits& limits) {
   return knobs;
 }
 
-/// All settings that are looked at.
+/// Returns all settings to examine.
 Result<std::vector<Settings>> settings_to_tune(const AccuracyScene& scene, const Limits& limits,
                                                std::string_view format) {
   const Result<Settings> of_format = parse_settings(fmt::format("format={}", format));
@@ -55,7 +55,7 @@ Result<std::vector<Settings>> settings_to_tune(const AccuracyScene& scene, const
   return all_settings(scene, choices(scene, limits), *of_format);
 }
 
-/// What is the best value of `value` among the candidates whose other limits hold; nothing if there are none.
+/// Returns the best `value` among the candidates that hold the other limits; nothing if there are none.
 template <class Value, class Holds>
 std::optional<double> best_of(const std::vector<Candidate>& candidates, const Value& value, const Holds& holds) {
   std::optional<double> best;
@@ -115,7 +115,7 @@ std::vector<std::string> explain(const std::vector<Candidate>& candidates, const
   return lines;
 }
 
-/// Names of C++ for the effects that settings add.
+/// Returns the C++ names of the effects that settings add.
 std::string effect_names(const Settings& settings) {
   std::string names;
   const auto add = [&](std::string_view name) { names += fmt::format(" | zstrip::effect::{}", name); };
@@ -153,7 +153,7 @@ Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string
   for (const Settings& s : settings) {
     if (without_strips(s) == s) pictures.push_back(s);
   }
-  // The standard and each knob alone are timed, so that the rest can be put into an order.
+  // The default and each knob alone are timed first; the others can then be sorted by expected time.
   std::vector<Settings> alone;
   for (const Settings& s : settings) {
     const auto turned = std::ranges::count_if(s.value, [](std::uint8_t v) { return v != 0; });

@@ -43,7 +43,7 @@ struct Arguments {
   std::optional<std::string> output;
 };
 
-/// "0.5%" or "0.5".
+/// Parses "0.5%" or "0.5".
 Result<double> parse_percent(const std::string& text) {
   const std::string_view digits = text.ends_with('%') ? std::string_view(text).substr(0, text.size() - 1) : text;
   double value = 0;

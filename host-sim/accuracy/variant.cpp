@@ -20,7 +20,7 @@ std::vector<T> copy(std::span<const T> from) {
   return {from.begin(), from.end()};
 }
 
-/// At most this part of 100 of the triangles, or as few as can be without moving the surface by a tenth of its size.
+/// Keeps at most this percentage of the triangles, or more if the surface would move by more than a tenth of its size.
 std::vector<unsigned> simplified_indices(const Mesh& mesh, std::uint32_t percent) {
   std::vector<unsigned> indices;
   for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), {t.a, t.b, t.c});
@@ -38,7 +38,7 @@ std::vector<unsigned> simplified_indices(const Mesh& mesh, std::uint32_t percent
   return kept;
 }
 
-/// What smooth materials become, if anything else.
+/// Returns the shading for smooth materials, if the settings change it.
 std::optional<Shading> shading_of(const Settings& settings) {
   const std::string_view shading = settings.name_of(Knob::shading);
   if (shading == "flat") return Shading::flat;
@@ -46,7 +46,7 @@ std::optional<Shading> shading_of(const Settings& settings) {
   return std::nullopt;
 }
 
-/// Views of `data` in place of those of `mesh`.
+/// Returns `mesh` with views of `data`.
 Mesh with_data(Mesh mesh, const MeshData& data) {
   mesh.positions = data.positions;
   mesh.normals = data.normals;
@@ -90,9 +90,9 @@ void SceneVariant::simplify(std::uint32_t percent) {
     const std::vector<unsigned> indices = simplified_indices(mesh, percent);
     const MeshData whole{copy(mesh.positions), copy(mesh.normals), copy(mesh.colours), copy(mesh.texcoords), {}, {}};
     std::vector<MeshData> parts = split_into_meshlets(whole, indices, mesh.half_extent);
-    if (parts.size() != 1) continue;  // nothing left, or more vertices than one mesh has
+    if (parts.size() != 1) continue;  // no triangles left, or more vertices than one mesh can have
     data_.push_back(std::move(parts[0]));
-    // A mesh that was one piece stays one: meshlets are another matter.
+    // A mesh without meshlets remains so: the settings do not add meshlets.
     if (mesh.meshlets.empty()) data_.back().meshlets.clear();
     mesh = with_data(mesh, data_.back());
   }

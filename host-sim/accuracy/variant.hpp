@@ -13,23 +13,23 @@
 
 namespace zstrip::sim {
 
-/// Whether a mesh of the scene is large enough for fewer triangles to mean anything.
+/// True if a mesh of the scene has enough triangles to be simplified.
 bool may_simplify(const Scene& scene);
 
-/// Meshes, materials and edges for settings that differ in shading, filter, detail and anti-aliasing; made once, for
-/// all poses of the scene. Views of the scene that it was made of, which must outlive it.
+/// Meshes, materials and edges for settings with another shading, filter, detail or anti-aliasing; made once for all
+/// poses of the scene. Holds views of the original scene, which must outlive it.
 class SceneVariant {
  public:
   SceneVariant(const Scene& scene, const Settings& settings);
   SceneVariant(const SceneVariant&) = delete;
   SceneVariant& operator=(const SceneVariant&) = delete;
 
-  /// The staged scene with what is different here, and the camera with the depth range of the settings.
+  /// Returns the staged scene with these changes, and the camera with the depth range of the settings.
   Staging apply(const Staging& staged) const;
   bool simplified() const { return !data_.empty(); }
 
  private:
-  /// All that is textured, unless a quadric has it, too: it takes no finish.
+  /// Filters all textures, except those of quadrics, which cannot have a finish.
   void filter_bilinearly();
   void simplify(std::uint32_t percent);
 
