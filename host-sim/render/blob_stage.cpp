@@ -1,4 +1,4 @@
-// A baked scene (.zsc) as something to render.
+// A stage for a baked scene (.zsc).
 #include "render/blob_stage.hpp"
 
 #include <fmt/format.h>
@@ -68,14 +68,14 @@ class BlobStage : public CameraStage {
 
   std::unique_ptr<Stage> copy() const override {
     auto stage = std::make_unique<BlobStage>(bytes_);
-    static_cast<void>(stage->open());  // these bytes have been opened before
+    static_cast<void>(stage->open());  // these bytes have been opened before without an error
     stage->take_camera(*this);
     return stage;
   }
 
   const std::vector<std::string>& warnings() const override { return warnings_; }
   Animation animation() const override { return blob_.animation; }
-  /// With a camera of the options nothing moves that the blob's own camera would go around.
+  /// With a camera from the options, the scene does not move if the motion is one around the blob's own camera.
   Turn turn() const override {
     if (blob_.turn.what == Turning::camera && options().placed()) return {.what = Turning::nothing};
     return blob_.turn;

@@ -1,4 +1,4 @@
-// A baked scene (.zsc) as something to render: opened in place, turned about the y axis.
+// A stage for a baked scene (.zsc): opened in place, rotated about the y axis.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace zstrip::sim {
 
-/// The camera is the blob's own, unless the options place another (in the scene's units) or change its projection. In a
-/// picture narrower than the one that the blob was baked for it shows as much from side to side.
+/// The camera is the blob's own, unless the options place another one (in the scene's units) or change its projection.
+/// In a picture narrower than the one that the blob was baked for, the camera shows the same width.
 Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options, const View& view,
                                                std::uint32_t frames);
 

@@ -1,4 +1,4 @@
-// From camera options, in the model's own units, to the renderer's camera.
+// Converts camera options, in the model's own units, to the renderer's camera.
 #include "render/camera.hpp"
 
 #include <fmt/format.h>
@@ -12,10 +12,10 @@
 namespace zstrip::sim {
 namespace {
 
-/// Coordinates beyond this leave no room for the far plane in 16.16.
+/// Larger coordinates leave no room for the far plane in 16.16.
 constexpr double kFarthest = 10000;
 
-/// 16.16 holds no more.
+/// The largest number in 16.16.
 constexpr double kMaxLength = 32767;
 
 Failure out_of_range(const char* option) {
@@ -40,7 +40,7 @@ Vec3 to_fixed(const std::array<double, 3>& point) {
   return {sim::to_fixed(point[0]), sim::to_fixed(point[1]), sim::to_fixed(point[2])};
 }
 
-/// Near and far planes around everything that can be in front of the eye; the renderer fits the depth range inside.
+/// Sets near and far plane around everything that can be in front of the eye; the renderer fits the depth range inside.
 void set_planes(Camera& camera, double radius) {
   const double distance = distance_to_origin(camera);
   camera.near_plane = sim::to_fixed(std::max(0.9 * (distance - radius), 0.01));
@@ -118,7 +118,7 @@ Result<Camera> file_camera(const SourceCamera& source, const Units& units, doubl
   };
   const std::array<double, 3> eye = to_scene(source.eye, units);
   if (!in_range(eye)) return unusable("is too far away: more than 10000 times the size of the model");
-  constexpr double kAhead = 64;  // far enough for the direction's bits, near enough for 16.16
+  constexpr double kAhead = 64;  // long enough for the direction's precision, short enough for 16.16
   std::array<double, 3> target = eye;
   for (std::size_t axis = 0; axis < 3; ++axis) target[axis] += kAhead * source.towards[axis];
   Camera camera;

@@ -1,4 +1,4 @@
-// From camera options, in the model's own units, to the renderer's camera.
+// Converts camera options, in the model's own units, to the renderer's camera.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Orbit {
   double theta = 90;  ///< degrees
 };
 
-/// Lengths in the model's units. At most one of `name`, `eye` and `orbit`; `name` alone.
+/// Lengths are in the model's units. At most one of `name`, `eye` and `orbit`; `name` excludes all other members.
 struct CameraOptions {
   std::optional<std::string> name{};  ///< of a camera of the model's file
   std::optional<std::array<double, 3>> eye{};
@@ -32,26 +32,26 @@ struct CameraOptions {
   bool placed() const { return eye.has_value() || orbit.has_value(); }
 };
 
-/// A camera at the place that the options name. An orthographic one shows at the target what the field of view would.
-/// `radius`: of the scene about its origin, for the near and far planes.
+/// Places a camera as the options say. An orthographic camera shows at the target the same height as the field of view
+/// would. `radius`: of the scene about its origin, for the near and far planes.
 Result<Camera> place_camera(const CameraOptions& options, const Units& units, double radius);
 
-/// A camera of the file. In pictures of any shape it shows as much from top to bottom.
+/// Converts a camera of the file. In pictures of any shape it shows the same height.
 Result<Camera> file_camera(const SourceCamera& source, const Units& units, double radius);
 
-/// A camera with this `framing`, tilted by kTilt.
+/// Returns a camera with this `framing`, tilted by kTilt.
 Result<Camera> framed_camera(const CameraOptions& options, const Framing& framing, double radius);
 
-/// In the scene's units.
+/// Returns a distance in the scene's units.
 double distance_to_origin(const Camera& camera);
 
-/// Gives a perspective camera the field of view of the options, or else the default.
+/// Sets a perspective camera to the field of view of the options, or else to the default.
 Result<Done> set_focal(Camera& camera, const CameraOptions& options);
 
-/// A scene's own camera with the field of view and projection of the options; it stays where it is.
+/// Returns a scene's own camera with the field of view and projection of the options; its position does not change.
 Result<Camera> change_projection(Camera camera, const CameraOptions& options);
 
-/// Turns a perspective camera into an orthographic one that shows the same at this distance (scene units) from the eye.
+/// Changes a perspective camera to an orthographic one that shows the same at this distance (scene units) from the eye.
 Result<Done> make_orthographic(Camera& camera, double distance);
 
 }  // namespace zstrip::sim

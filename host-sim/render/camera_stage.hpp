@@ -1,4 +1,4 @@
-// Stages whose camera the command's options choose.
+// Stages whose camera is set by the command's options.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace zstrip::sim {
 
 class CameraStage : public Stage {
  public:
-  /// The camera of pictures with `view`, for so many frames. Failures: those of camera().
+  /// Sets the camera of pictures with `view`, for so many frames. Failures: those of camera().
   Result<Done> set_camera(const CameraOptions& options, const View& view, std::uint32_t frames) {
     options_ = options;
     view_ = view;
@@ -20,7 +20,7 @@ class CameraStage : public Stage {
   }
 
  protected:
-  /// For copies of it.
+  /// Copies the camera, for copies of the stage.
   void take_camera(const CameraStage& other) {
     options_ = other.options_;
     view_ = other.view_;

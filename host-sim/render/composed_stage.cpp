@@ -1,4 +1,4 @@
-// A scene file (.toml) as something to render.
+// A stage for a scene file (.toml).
 #include "render/composed_stage.hpp"
 
 #include <cmath>
@@ -16,10 +16,10 @@ namespace {
 
 double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 
-/// Of any vector but zero.
+/// Returns the unit vector of a vector that is not zero.
 Vector unit(const Vector& v) { return {v[0] / length(v), v[1] / length(v), v[2] / length(v)}; }
 
-/// The values of [camera], in the file's units.
+/// Converts the values of [camera], in the file's units.
 Result<Camera> camera_of(const FileCamera& from, const Units& units, double radius) {
   const double degrees = from.field_of_view.value_or(kDefaultFieldOfView);
   if (from.radius) {
@@ -42,14 +42,14 @@ Result<Camera> camera_of(const FileCamera& from, const Units& units, double radi
                      units, radius);
 }
 
-/// A length of the file in 16.16; nullopt if it does not fit.
+/// Converts a length of the file to 16.16; returns nullopt if it is out of range.
 std::optional<Fixed> scaled(double length, double scale) {
   const double fixed = length * scale * kFixedOne;
   if (!(fixed >= 1 && fixed <= 0x7FFFFFFF)) return std::nullopt;
   return static_cast<Fixed>(std::llround(fixed));
 }
 
-/// Those of the file, whatever place the camera has.
+/// Sets the planes of the file, for any position of the camera.
 Result<Done> set_planes(const SceneFile& file, const Units& units, Camera& camera) {
   const auto set = [&](const std::optional<double>& length, Fixed& to) {
     if (!length) return true;
@@ -90,7 +90,7 @@ class ComposedStage : public CameraStage {
 
   Result<Camera> camera(std::uint32_t frames) const override {
     Result<Camera> camera = choose_camera(frames);
-    // Depths of the two layers are compared.
+    // A fixed range, because depths of the two layers are compared.
     if (camera) camera->fixed_depth_range = composed_->static_instances > 0;
     return camera;
   }
@@ -109,7 +109,7 @@ class ComposedStage : public CameraStage {
 
   const std::vector<std::string>& warnings() const override { return composed_->warnings; }
   Animation animation() const override { return composed_->animation.view(); }
-  /// There are fewer instances than 16 bits count.
+  /// The number of instances fits in 16 bits.
   Turn turn() const override { return {Turning::instances, static_cast<std::uint16_t>(composed_->static_instances)}; }
   Origins origins() const override {
     const bool own_projection = file_->camera && !options().placed() && !options().orthographic;

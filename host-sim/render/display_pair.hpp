@@ -1,4 +1,4 @@
-// Two displays that get the same strips: the picture in memory and a panel.
+// Two displays that get the same strips: the picture in memory, and a panel.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// Both have the same size and format. The first error of either counts; both refer to displays that outlive the pair.
+/// Both have the same size and format. Returns the first error of either. Both refer to displays that outlive the pair.
 template <hal::Display First, hal::Display Second>
 class DisplayPair {
  public:

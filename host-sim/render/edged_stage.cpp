@@ -37,7 +37,7 @@ class EdgedStage : public Stage {
   std::shared_ptr<const SceneEdges> edges_;
 };
 
-/// What the scene has that edges do not go with; empty if nothing.
+/// Returns the effect of the scene that edges cannot be combined with; empty if there is none.
 std::string_view rival_of_edges(Effects effects) {
   if (effects.has(effect::outlines)) return "outlines";
   if (effects.has(effect::shadows)) return "a shadow";

@@ -1,4 +1,4 @@
-// A stage whose scene has the edges of all its meshes, to be anti-aliased, or none.
+// A stage that adds anti-aliased edges to all meshes of its scene, or removes them.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,9 @@
 
 namespace zstrip::sim {
 
-/// `edges`: true adds those of all meshes that instances have to a scene without any, false takes away what a baked
-/// scene has, nothing leaves it as it is. Fails where the stage cannot be placed, and a usage error where pictures of
-/// `view` have several samples, or the scene has what edges do not go with.
+/// `edges`: true adds the edges of all meshes with instances to a scene that has none, false removes the edges of a
+/// baked scene, nothing changes nothing. Fails if the stage cannot be placed; a usage error if pictures of `view` have
+/// several samples, or the scene has effects that edges cannot be combined with.
 Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges, const View& view);
 
 }  // namespace zstrip::sim

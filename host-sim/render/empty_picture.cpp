@@ -1,4 +1,4 @@
-// Why pictures show nothing of their scene.
+// Finds out why pictures show nothing of their scene.
 #include "render/empty_picture.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::uint32_t highest_alpha(const Texture& texture) {
   return highest;
 }
 
-/// What hides all of a material; null: it can be seen.
+/// Returns the property that hides a whole material; null if the material is visible.
 const char* what_hides(const Scene& scene, const Material& material) {
   if (material.finish >= scene.finishes.size()) return nullptr;
   const Finish& finish = scene.finishes[material.finish];

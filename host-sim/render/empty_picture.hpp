@@ -1,4 +1,4 @@
-// Why pictures show nothing of their scene.
+// Finds out why pictures show nothing of their scene.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace zstrip::sim {
 
-/// Whether a frame's pixels are those of the stage's first frame without anything of the scene in it.
+/// True if a frame's pixels equal the stage's first frame drawn without the scene.
 bool is_background(Stage& stage, const View& view, std::uint32_t crc32);
 
-/// Why what was drawn is not seen: alpha, by the material's name, or colours.
+/// Returns the reason why drawn surfaces are not visible: alpha, with the material's name, or colours.
 std::string why_unseen(Stage& stage);
 
-/// Why most of a model is smaller than a pixel where its camera shows all of it; empty: it is not, or no file.
+/// Returns the reason why most of a model is smaller than a pixel though its camera shows all of it; empty if it is
+/// not, or without a file.
 std::string why_too_small(const Stage& stage, const View& view);
 
 }  // namespace zstrip::sim

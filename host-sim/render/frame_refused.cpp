@@ -1,4 +1,4 @@
-// Sorts what the renderer refuses by whose fault it is; see frame_refused.hpp.
+// Maps a refusal of the renderer to an exit status by its cause; see frame_refused.hpp.
 #include "render/frame_refused.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ ExitStatus fault_of(Error error) {
 }  // namespace
 
 Failure frame_refused(std::string_view what, const Status& status) {
-  // The only store in a frame's own memory is that of a shadow's map.
+  // The only store in a frame's own memory is the store of a shadow's map.
   if (status.error == Error::store_full && status.purpose == Purpose::effects) {
     return {
         ExitStatus::budget,

@@ -1,4 +1,4 @@
-// Where a camera must stand so that a turning model fills the picture.
+// Computes the position of a camera with which a rotating model fills the picture.
 #include "render/framing.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kFilled = 0.95;  // of the picture's half width and half height
 
 /// Calls visit(x, y, z) for each vertex of each instance and each set of lines, and for each corner of the box around
-/// each quadric, where its transform puts it, in the scene's units.
+/// each quadric, after the transform, in the scene's units.
 template <typename Visit>
 void for_each_vertex(const Scene& scene, Visit visit) {
   const auto visit_moved = [&](const Transform& transform, double x, double y, double z) {
@@ -40,7 +40,7 @@ void for_each_vertex(const Scene& scene, Visit visit) {
                   coordinate(mesh.centre.z, mesh.half_extent.z, p.z));
     }
   };
-  // However it is turned, a billboard stays within a sphere, and that within its cube.
+  // In every orientation a billboard stays within a sphere, which is within its cube.
   const auto visit_billboard = [&](const Mesh& mesh, const Transform& transform) {
     double reach = 0;
     for (const Fixed Vec3::*const member : {&Vec3::x, &Vec3::y, &Vec3::z}) {
@@ -69,7 +69,7 @@ void for_each_vertex(const Scene& scene, Visit visit) {
   for (const LineSet& lines : scene.lines) visit_mesh(scene.meshes[lines.mesh], lines.transform);
 }
 
-/// Largest values so far of a linear expression and of its mirror image.
+/// The largest values so far of a linear expression and of its negative.
 struct Extent {
   double plus = -std::numeric_limits<double>::infinity();
   double minus = -std::numeric_limits<double>::infinity();
@@ -88,8 +88,8 @@ Framing frame_scene(const Scene& scene, const FramingView& view) {
   const double cosine = std::cos(kTilt * std::numbers::pi / 180);
   // A vertex (x, y, depth z in view space) is inside if |y - target| <= tangent (distance - z), and so for x with the
   // tangent of the width: distance >= z + (y - target) / tangent and distance >= z - (y - target) / tangent. Both are
-  // linear, so the extremes over all vertices, and over all angles of a turn, have closed forms. Orthographic: without
-  // z.
+  // linear, so the extremes over all vertices, and over all angles of a rotation, have closed forms. Orthographic:
+  // without z.
   const double depth_share = view.orthographic ? 0 : 1;
   const double slope_y = 1 / (kFilled * (view.orthographic ? 1 : view.half_tangent));
   const double slope_x = slope_y / view.aspect;
@@ -119,7 +119,7 @@ Framing frame_scene(const Scene& scene, const FramingView& view) {
 
   const double up = vertical.middle() / slope_y;
   const double right = horizontal.middle() / slope_x;
-  constexpr double kClearance = 0.05;  // flat models seen from the edge would otherwise touch the eye
+  constexpr double kClearance = 0.05;  // flat models seen edge-on would otherwise touch the eye
   const double fitted = std::max({vertical.half(), horizontal.half(), kClearance});
   Framing framing;
   framing.target = {right, up * cosine, -up * sine};

@@ -1,4 +1,4 @@
-// Where a camera must stand so that a turning model fills the picture.
+// Computes the position of a camera with which a rotating model fills the picture.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@ struct FramingView {
   double aspect = 1;        ///< width / height
   double half_tangent = 1;  ///< tangent of half the vertical field of view
   bool orthographic = false;
-  bool whole_turn = false;  ///< every angle about the y axis must fit; else only the model as it stands
+  bool whole_turn = false;  ///< every angle about the y axis must fit; else only the model in its given orientation
 };
 
 /// In the scene's units. The eye is at target + distance * (0, sin kTilt, cos kTilt).
 struct Framing {
   std::array<double, 3> target{};
   double distance = 1;
-  double half_height = 1;  ///< of what is seen; for orthographic cameras
+  double half_height = 1;  ///< half the visible height; for orthographic cameras
 };
 
-/// The closest camera that shows all vertices of the instances, as they stand, with a margin of 5 % a side.
+/// Returns the closest camera that shows all vertices of the instances, as placed, with a margin of 5 % on each side.
 Framing frame_scene(const Scene& scene, const FramingView& view);
 
-/// The largest distance of a vertex from the scene's origin.
+/// Returns the largest distance of a vertex from the scene's origin.
 double radius_about_origin(const Scene& scene);
 
 }  // namespace zstrip::sim

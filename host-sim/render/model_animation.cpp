@@ -1,4 +1,4 @@
-// A model file's animation as the renderer's.
+// Converts a model file's animation to the renderer's.
 #include "render/model_animation.hpp"
 
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimat
 }
 
 Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation) {
-  std::size_t longest = 1;  // of chains of joints, whose errors add up
+  std::size_t longest = 1;  // length of the longest chain of joints, along which errors add up
   std::vector<InstanceMotion> motions;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const ModelJoint& joint = model.joint_nodes[i];

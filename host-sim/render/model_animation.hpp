@@ -1,4 +1,4 @@
-// A model file's animation as the renderer's, and what a camera must see of one.
+// Converts a model file's animation to the renderer's, and lists the poses that a camera must show.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,24 @@
 
 namespace zstrip::sim {
 
-/// The animation of this name; without a name the first, or null if there is none. A failure lists those of the file.
+/// Returns the animation of this name; without a name the first one, or null if there is none. The failure lists the
+/// animations of the file.
 Result<const NodeAnimation*> find_animation(const Model& model, const std::optional<std::string>& name);
 
-/// Where a moved instance of the model is, from where it is at rest, in the file's units.
+/// Returns the map from a moved instance's place at rest to its place at this time, in the file's units.
 Affine moved_from_rest(const Model& model, const NodeAnimation& animation, std::int32_t node, double seconds);
 
-/// The eight corners of the box around a mesh, in object space.
+/// Returns the eight corners of the box around a mesh, in object space.
 std::vector<Vector> corners_of(const Mesh& mesh);
 
-/// In the model's scene units. The failure's message starts with a verb.
+/// Converts the animation of the instances, in the model's scene units. The failure's message starts with a verb.
 Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimation& animation);
 
-/// Of the model's joints: tracks name these. Likewise.
+/// Converts the animation of the model's joints, which its tracks refer to. The failure's message starts with a verb.
 Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation);
 
-/// The instances as they are at many times of the animation, one after the other: what a camera must see of it. Without
-/// tracks, those given.
+/// Returns the instances at many times of the animation, one time after the other: all poses that a camera must show.
+/// Returns `instances` if there are no tracks.
 std::vector<Instance> all_poses(const Animation& animation, std::span<const Instance> instances);
 
 }  // namespace zstrip::sim

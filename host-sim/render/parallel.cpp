@@ -1,4 +1,5 @@
-// A shared counter hands out the work. Indices go out in order, so all before a failing one have been begun, and end.
+// A shared counter assigns the work. Indices are assigned in order, so all before a failing one have begun, and
+// complete.
 #include "render/parallel.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace zstrip::sim {
 Result<Done> for_each_on_threads(std::uint32_t count, unsigned threads,
                                  const std::function<Result<Done>(unsigned, std::uint32_t)>& work) {
   std::atomic<std::uint32_t> next = 0;
-  std::mutex mutex;  // of the three below
+  std::mutex mutex;  // for the three members below
   std::uint32_t first_failed = count;
   std::optional<Failure> failure;
   std::exception_ptr exception;

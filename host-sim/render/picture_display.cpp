@@ -1,4 +1,4 @@
-// A display whose panel is memory: what the strips leave behind is the picture.
+// A display whose panel is memory: the picture consists of the strips that were written.
 #include "render/picture_display.hpp"
 
 #include <algorithm>
@@ -7,12 +7,12 @@ namespace zstrip::sim {
 
 static_assert(hal::Display<PictureDisplay>);
 
-// tests/panels compares the two lists.
+// tests/panels checks that both lists are equal.
 hal::PixelFormat hal_format(PixelFormat format) { return static_cast<hal::PixelFormat>(format); }
 PixelFormat core_format(hal::PixelFormat format) { return static_cast<PixelFormat>(format); }
 
 hal::Error PictureDisplay::write(const hal::Area& area, std::span<const std::byte> pixels) {
-  constexpr std::uint16_t kPixelsOfAByte = 8;  // of the format with most
+  constexpr std::uint16_t kPixelsOfAByte = 8;  // of the format with the most pixels a byte
   const bool splits_bytes =
       area.left % kPixelsOfAByte != 0 || (area.width % kPixelsOfAByte != 0 && area.left + area.width != view_.width);
   if (!hal::contains(view_.width, view_.height, area) || splits_bytes) return hal::Error::area;

@@ -1,4 +1,4 @@
-// A display whose panel is memory: what the strips leave behind is the picture.
+// A display whose panel is memory: the picture consists of the strips that were written.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace zstrip::sim {
 
-/// The same format, as the HAL and as the core name it.
+/// Converts the core's name of a format to the HAL's.
 hal::PixelFormat hal_format(PixelFormat format);
 PixelFormat core_format(hal::PixelFormat format);
 
@@ -24,12 +24,12 @@ class PictureDisplay {
   hal::PixelFormat format() const { return hal_format(view_.format); }
 
   hal::Error begin_frame() { return hal::Error::none; }
-  /// Areas start at multiples of 8 pixels and end there or at the right side: error `area` otherwise.
+  /// Areas must start at multiples of 8 pixels, and end at multiples or at the right side; error `area` otherwise.
   hal::Error write(const hal::Area& area, std::span<const std::byte> pixels);
   hal::Error wait() { return hal::Error::none; }
   hal::Error end_frame() { return hal::Error::none; }
 
-  /// All rows, bytes_per_row each.
+  /// Returns all rows, bytes_per_row each.
   std::span<const std::byte> pixels() const { return pixels_; }
 
  private:

@@ -1,4 +1,4 @@
-// One frame from a scene to pixels: effects, plan, begin, strips.
+// Draws one frame of a scene into pixels: effects, plan, begin, strips.
 #include "render/render_frame.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 
 static_assert(kArenaAlignment <= alignof(std::uint64_t));
 
-/// At least `bytes` of `words`, whose contents do not matter.
+/// Returns at least `bytes` of `words`, whose contents do not matter.
 std::span<std::byte> at_least(std::vector<std::uint64_t>& words, std::uint32_t bytes) {
   const std::size_t needed = (std::size_t{bytes} + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
   if (words.size() < needed) words.resize(needed);
@@ -51,7 +51,7 @@ Failure too_little_memory(const Status& status, const Scene& scene, const View& 
                       counted(status.needed - status.available, "byte"), advice)};
 }
 
-/// What a thread did after begin_frame is added.
+/// Adds the statistics of a thread since begin_frame.
 void add(Statistics& sum, const Statistics& all, const Statistics& after_begin) {
   sum.drawn += all.drawn - after_begin.drawn;
   sum.clipped += all.clipped - after_begin.clipped;
@@ -79,7 +79,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& original) {
   if (temporal_) budget.modes = Modes::streamed;
   const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget);
   if (status.error == Error::arena_too_small) {
-    // A panel may need a number of rows.
+    // A panel may require a number of rows.
     return too_little_memory(status, staging.scene, view_, effects, budget_, panel_ == nullptr);
   }
   if (status.error == Error::unplannable) {
@@ -152,7 +152,7 @@ Result<Done> FrameRenderer::draw_on_threads(const Staging& staging, const Effect
         return Result<Done>(Done{});
       });
   if (!drawn) return drawn;
-  // What begin_frame does counts once, as without threads.
+  // The work of begin_frame counts once, as with one thread.
   const auto first = std::ranges::find_if(workers, &Worker::begun);
   report.mode = first->renderer.frame().mode();
   report.bounds = first->renderer.frame().bounds();
@@ -172,7 +172,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& pl
   report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);
 
   const auto start = std::chrono::steady_clock::now();
-  // Renderers that move a skin write where it says.
+  // Renderers that move a skin write into its Skinning.
   const bool alone = memory_.size() == 1 || plan.strips == 1 || panel_ != nullptr || method_.methods != 0 ||
                      effects.has(effect::skins);
   const Result<Done> drawn = alone ? draw(staging, effects, report) : draw_on_threads(staging, effects, report);

@@ -1,4 +1,4 @@
-// Whether a shadow's map fits into its pool in all frames that boards show.
+// Checks that a shadow's map fits into its pool in all frames that boards show.
 #include "render/shadow_pool.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// BakedMotion of firmware/boards.
+/// As in BakedMotion of firmware/boards.
 constexpr std::uint32_t kFramesOfBoards = 64;
 
 }  // namespace

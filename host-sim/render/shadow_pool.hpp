@@ -1,4 +1,4 @@
-// Whether a shadow's map fits into its pool in all frames that boards show.
+// Checks that a shadow's map fits into its pool in all frames that boards show.
 #pragma once
 
 #include "render/stage.hpp"
@@ -7,7 +7,8 @@
 
 namespace zstrip::sim {
 
-/// Draws 64 frames of the scene's motion, one where nothing moves. Failure: what a program would get in one of them.
+/// Draws 64 frames of the scene's motion, or one if there is none. Failure: the error that a program would get in one
+/// of them.
 Result<Done> check_shadow_pool(Stage& stage, const View& view);
 
 }  // namespace zstrip::sim

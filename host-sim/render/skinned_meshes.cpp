@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kFramesSeen = 24;
 
-/// By the name of its node, or of what it hangs on.
+/// Returns the name of the joint's node, or of the nearest ancestor that is a node.
 std::string name_of(const Model& model, std::size_t joint) {
   std::size_t at = joint;
   while (model.joint_nodes[at].node == kNoNode && model.joint_nodes[at].parent != kNoSourceJoint) {
@@ -54,7 +54,7 @@ Result<std::span<const Mesh>> SkinnedMeshes::at(std::uint32_t frame, std::uint32
 }
 
 std::string SkinnedMeshes::too_far(const ModelSkin& skin, const Status& status) {
-  // The matrices alone fail only by joints.
+  // pose_skin, which makes only the matrices, fails only because of joints.
   const Skin of_core{&skin.bind, skin.vertices, model_.joints, model_.rest};
   Skinning skinning{.skin = &of_core, .matrices = work_, .positions = {}};
   if (!pose_skin(skinning, pose_)) return fmt::format("{} too far", name_of(model_, status.needed));

@@ -13,29 +13,30 @@
 
 namespace zstrip::sim {
 
-/// Owns what it moves. `model` and `joints`, an animation of the model's joints, outlive it. `file`: the model's, for
-/// messages.
+/// Owns the moved meshes. `model` and `joints`, an animation of the model's joints, must outlive it. `file`: the
+/// model's, for messages.
 class SkinnedMeshes {
  public:
   SkinnedMeshes(const Model& model, const Animation& joints, std::string file);
 
-  /// Whether frames differ.
+  /// True if frames differ.
   bool moves() const { return !joints_.tracks.empty() && !model_.skins.empty(); }
-  /// The meshes of the model, skins as they are at frame `frame` of `frames` that show the animation once. Valid until
-  /// the next call.
+  /// Returns the meshes of the model, with skins posed for frame `frame` of `frames` frames that show the animation
+  /// once. Valid until the next call.
   Result<std::span<const Mesh>> at(std::uint32_t frame, std::uint32_t frames);
-  /// Meshes that have the positions of many frames, for what depends on all of them. Valid likewise.
+  /// Returns meshes that have the positions of many frames, for results that depend on all frames. Valid until the next
+  /// call.
   Result<std::span<const Mesh>> all_poses();
 
  private:
-  /// What the animation moves too far, of a skin that could not be posed.
+  /// Returns the joint or vertex that the animation moves too far, for a skin that could not be posed.
   std::string too_far(const ModelSkin& skin, const Status& status);
 
   const Model& model_;
   Animation joints_;
   std::string file_;
   std::vector<Mesh> meshes_;
-  std::vector<MeshData> moved_;  ///< of each skin
+  std::vector<MeshData> moved_;  ///< one for each skin
   std::vector<std::vector<Position>> all_;
   std::vector<JointPose> pose_;
   std::vector<Transform> work_;

@@ -1,4 +1,4 @@
-// What is rendered: a built-in scene, a scene file, a model file or a baked scene, placed for each frame of a turn.
+// The scene that is rendered: a built-in scene, a scene file, a model file or a baked scene, placed for each frame.
 #include "render/stage.hpp"
 
 #include <fmt/format.h>
@@ -26,13 +26,13 @@
 namespace zstrip::sim {
 namespace {
 
-/// Beside a file's own lights, which often leave the side that we see in the dark.
+/// Added to a file's own lights, which often leave the visible side dark.
 constexpr DirectionalLight kFillLight{.x = scenes::kKeyLight[0].x,
                                       .y = scenes::kKeyLight[0].y,
                                       .z = scenes::kKeyLight[0].z,
                                       .colour = {112, 112, 112, 255}};
 
-/// A scene that came through the import, or with the program, always passes; if not, that is a bug to be told.
+/// Checks a scene of the import or of the program. Such a scene is always valid; if not, the failure reports a bug.
 Result<Done> check(const Scene& scene, const std::string& name) {
   const Status status = validate(scene);
   if (status) return Done{};
@@ -40,12 +40,12 @@ Result<Done> check(const Scene& scene, const std::string& name) {
                                                    name, message(status.error), status.needed)};
 }
 
-/// An animation of a file, of its instances and of its joints.
+/// The animations of a file's instances and joints.
 struct ModelMotion {
   FittedAnimation instances, joints;
 };
 
-/// The file's animation of this name, or its first.
+/// Returns the file's animation of this name, or its first one.
 Result<ModelMotion> motion_of(const Model& model, const std::optional<std::string>& name, const std::string& file) {
   const Result<const NodeAnimation*> chosen = find_animation(model, name);
   if (!chosen) return chosen.failure();
@@ -95,7 +95,7 @@ class BuiltInStage : public Stage {
     return change_projection(at_rest.camera, options_);
   }
 
-  /// With a camera of the options nothing moves that the scene's own camera would go around.
+  /// With a camera from the options, the scene does not move if the motion is one around the scene's own camera.
   Turn turn() const override {
     if (built_in_.turns == scenes::Turns::model) return {.what = Turning::instances};
     return {.what = own_camera_ ? Turning::nothing : Turning::camera};
@@ -114,8 +114,9 @@ class BuiltInStage : public Stage {
   const scenes::BuiltIn& built_in_;
   View view_;
   scenes::Staged staged_;
-  std::optional<Camera> own_camera_;  ///< instead of the scene's
-  CameraOptions options_;             ///< else the scene's, with the field of view and projection of these
+  std::optional<Camera> own_camera_;  ///< used in place of the scene's camera
+  CameraOptions options_;             ///< otherwise: the scene's camera with the field of view and projection of these
+                                      ///< options
   std::vector<std::string> warnings_;
 };
 
@@ -244,7 +245,7 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
     if (const Result<Done> camera = stage->set_camera(options); !camera) return camera.failure();
     return std::unique_ptr<Stage>(std::move(stage));
   }
-  // What else is wrong with a path is said by what reads it.
+  // Other errors of a path are reported by the code that reads it.
   std::error_code ignored;
   if (std::filesystem::status(name, ignored).type() == std::filesystem::file_type::not_found) {
     if (const std::string advice = advice_on_address(name); !advice.empty()) {

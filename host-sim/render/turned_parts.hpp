@@ -1,4 +1,4 @@
-// What a scene at rest moves, frame by frame, as boards do: what blobs and trees that were baked are placed with.
+// Moves a scene at rest frame by frame, as boards do. Used to place baked blobs and trees.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@ namespace zstrip::sim {
 
 class TurnedParts {
  public:
-  /// Frame `frame` of `frames`, which reads these parts until the next one. A failure: something is too far away to
-  /// turn.
+  /// Returns frame `frame` of `frames`, which refers to these parts until the next call. Fails if a part is too far
+  /// away to be rotated.
   Result<Staging> place(const scenes::AtRest& at_rest, const BspTree& tree, std::uint32_t frame, std::uint32_t frames) {
     if (frame % frames == 0 && at_rest.animation.tracks.empty()) return Staging{at_rest.scene, at_rest.camera, tree};
     if (!scenes::can_turn(at_rest)) {
