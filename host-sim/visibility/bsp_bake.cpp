@@ -1,4 +1,4 @@
-// Chooses planes, splits by them, and writes the nodes in the order in which the renderer reads them.
+// Chooses planes, splits polygons by them, and writes the nodes in the order in which the renderer reads them.
 #include "visibility/bsp_bake.hpp"
 
 #include <fmt/format.h>
@@ -12,10 +12,11 @@
 namespace zstrip::sim {
 namespace {
 
-/// Planes of polygons that are tried for a node, and polygons that each is tried on: more cost time, and save splits.
+/// Number of polygons' planes that are tried for a node, and of polygons that each plane is tried on. A greater number
+/// costs more time, and saves splits.
 constexpr std::size_t kCandidates = 24;
 constexpr std::size_t kTried = 600;
-/// What a split costs in polygons that one side has more than the other.
+/// The cost of a split, expressed as a difference between the numbers of polygons on both sides.
 constexpr double kCostOfSplit = 8;
 constexpr std::size_t kMaxPieces = 65535;
 
@@ -26,7 +27,7 @@ struct TreeNode {
   std::uint32_t level = 1;
 };
 
-/// How many polygons a plane leaves on each side, and cuts.
+/// The polygons that a plane leaves on each side, and those that it cuts.
 struct Sides {
   double front = 0, back = 0, cut = 0;
   double cost() const { return kCostOfSplit * cut + std::abs(front - back); }
@@ -49,8 +50,9 @@ Sides sides_of(const SoupPlane& plane, const std::vector<SoupPolygon>& polygons)
   return sides;
 }
 
-/// Splits so few polygons, and leaves the rest so evenly on both sides, that a mesh's tree stays shallow: besides the
-/// planes of polygons, which have all of a convex surface behind them, those that halve the box along an axis.
+/// Chooses planes that split few polygons and leave about as many on either side, so that a mesh's tree stays shallow.
+/// It tries the planes of polygons, which have all of a convex surface behind them, and planes that halve the box along
+/// an axis.
 class PlaneChoice {
  public:
   explicit PlaneChoice(const std::vector<SoupPolygon>& polygons) : polygons_(polygons) {}
@@ -71,13 +73,13 @@ class PlaneChoice {
     for (double SoupPoint::*axis : {&SoupPoint::x, &SoupPoint::y, &SoupPoint::z}) {
       const SoupPlane plane = halving(axis);
       const Sides sides = sides_of(plane, polygons_);
-      if (sides.front > 0 && sides.back > 0) consider(plane, sides);  // else it might leave all on one side
+      if (sides.front > 0 && sides.back > 0) consider(plane, sides);  // otherwise all could be on one side
     }
     return chosen;
   }
 
  private:
-  /// As many first corners on one side as on the other.
+  /// Returns the plane that leaves as many first corners on one side as on the other.
   SoupPlane halving(double SoupPoint::*axis) const {
     std::vector<double> places;
     for (const SoupPolygon& polygon : polygons_) places.push_back(polygon[0].position.*axis);
@@ -147,7 +149,7 @@ class Builder {
         continue;
       }
       splits_ += !parts.front.empty() && !parts.back.empty();
-      // What is too thin to have a plane of its own has no pixel either.
+      // A part that is too thin to have a plane also has no pixel.
       if (!SoupPlane::of(parts.front).degenerate()) front.push_back(std::move(parts.front));
       if (!SoupPlane::of(parts.back).degenerate()) back.push_back(std::move(parts.back));
     }
@@ -158,7 +160,7 @@ class Builder {
   std::size_t splits_ = 0;
 };
 
-/// The plane in the mesh's bounding box, where the renderer tests the eye's side.
+/// Converts the plane to the mesh's bounding box, where the renderer tests the eye's side.
 BspNode in_box(const SoupPlane& plane, const Mesh& mesh) {
   const SoupPoint centre{mesh.centre.x / 65536.0, mesh.centre.y / 65536.0, mesh.centre.z / 65536.0};
   SoupPoint n{plane.normal.x * mesh.half_extent.x, plane.normal.y * mesh.half_extent.y,
@@ -167,7 +169,7 @@ BspNode in_box(const SoupPlane& plane, const Mesh& mesh) {
   const double length = std::sqrt(dot(n, n));
   n = {n.x / length, n.y / length, n.z / length};
   distance /= length;
-  // A plane of a polygon cuts the box, so that its distance is below sqrt(3): the format's 2.
+  // A polygon's plane cuts the box, so that its distance is below sqrt(3), and fits in the format, which ends at 2.
   const auto fixed_30 = [](double value) { return static_cast<std::int32_t>(std::lround(value * (1 << 30))); };
   BspNode node{};
   node.x = fixed_30(n.x), node.y = fixed_30(n.y), node.z = fixed_30(n.z);

@@ -9,7 +9,7 @@
 
 namespace zstrip::sim {
 
-/// The scene, its triangles split where planes of others cut them, and the tree over them.
+/// The scene with its triangles split by the planes of others, and the tree of these triangles.
 struct BakedBsp {
   SoupScene scene;
   std::vector<BspNode> nodes;
@@ -19,7 +19,7 @@ struct BakedBsp {
   BspTree tree() const { return {nodes}; }
 };
 
-/// A usage error if the pieces are more than a mesh can hold.
+/// Returns a usage error if there are more pieces than a mesh can hold.
 Result<BakedBsp> bake_bsp(const PolygonSoup& soup);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Plans and draws a frame with a visibility method, and reads what it leaves behind strip by strip.
+// Plans and draws a frame with a visibility method, and reads its results strip by strip.
 #include "visibility/drawing.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ std::span<std::byte> bytes_of(std::vector<std::uint64_t>& words, std::uint32_t b
   return std::as_writable_bytes(std::span(words)).first(bytes);
 }
 
-/// Copies what a strip has left behind to its place in the frame.
+/// Copies the results of a strip to their place in the frame.
 void look_at(FrameWithMethod frame, Effects effects, const Rect& strip, std::span<const std::byte> pixels,
              std::span<const std::uint8_t> overdraw, LookedAtFrame& looked) {
   const std::uint32_t width = looked.view.width;
@@ -125,7 +125,7 @@ Result<TimedDrawing> TimedDrawing::prepare(const Staging& original, const Method
 }
 
 Status TimedDrawing::draw() {
-  // Bins are for plans that have them; without, there is a pipeline of each method that counts nothing.
+  // Only plans with bins use them; each method has a pipeline without bins that does not count.
   const Pipeline pipeline = pipeline_for(plan_.mode == Mode::binned ? effects_ : without(effects_, effect::bins));
   detail::MethodFrameState frame;
   const Staging staging = scene_.staging();

@@ -1,5 +1,5 @@
-// A frame drawn with any visibility method, with all that can be looked at afterwards: pixels, depth, how often pixels
-// were written, bounds of tiles, counts.
+// A frame drawn with any visibility method, with all data for inspection: pixels, depth, overdraw, bounds of tiles,
+// counts.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@
 
 namespace zstrip::sim {
 
-/// One value for each pixel of the view, row by row; depth codes, and those of tiles, are 0 where nothing was drawn or
+/// One value for each pixel of the view, row by row. Depth codes, also of tiles, are 0 where nothing was drawn or if
 /// the method does not keep them.
 struct LookedAtFrame {
   View view;
@@ -24,16 +24,16 @@ struct LookedAtFrame {
   Mode mode = Mode::streamed;
   std::vector<std::uint16_t> pixels;   ///< RGB565
   std::vector<std::uint32_t> depth;    ///< codes
-  std::vector<std::uint8_t> overdraw;  ///< times written, up to 255
-  std::vector<std::uint16_t> tiles;    ///< farthest code that is known of the pixel's tile
+  std::vector<std::uint8_t> overdraw;  ///< number of writes, up to 255
+  std::vector<std::uint16_t> tiles;    ///< the farthest code that is known for the pixel's tile
   Statistics statistics{};
   VisibilityStatistics visibility{};
   std::size_t pieces_split = 0;     ///< triangles that the host split for the method
-  Fixed nearest = 0, farthest = 0;  ///< Frame's
+  Fixed nearest = 0, farthest = 0;  ///< as in Frame
   std::int64_t nanoseconds = 0;     ///< begin_frame and all strips
 };
 
-/// What is drawn how. `effects`: those besides the scene's own: method, depth format.
+/// Selects the picture and the method. `effects`: in addition to the scene's own: method, depth format.
 struct MethodRequest {
   View view;  ///< RGB565
   Budget budget;
@@ -41,10 +41,10 @@ struct MethodRequest {
   VisibilityOptions options;
 };
 
-/// Draws once, with counting. Failures: ExitStatus::budget and usage as `zstrip render` tells them.
+/// Draws once, with counts. Failures: ExitStatus::budget and usage, with the messages of `zstrip render`.
 Result<LookedAtFrame> draw_looked_at(const Staging& staging, const MethodRequest& request);
 
-/// Draws without counting, as a device would, again and again; for measurements of streamed plans.
+/// Draws repeatedly without counts, as a device would; for measurements of streamed plans.
 class TimedDrawing {
  public:
   static Result<TimedDrawing> prepare(const Staging& staging, const MethodRequest& request);

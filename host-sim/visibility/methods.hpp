@@ -12,24 +12,25 @@ namespace zstrip::sim {
 
 struct VisibilityMethod {
   std::string_view name;
-  Effects effects;               ///< what selects it; nothing for the z-buffer
+  Effects effects;               ///< the effects that select it; empty for the z-buffer
   std::string_view description;  ///< one phrase
 };
 
-/// The z-buffer first.
+/// Returns all methods, the z-buffer first.
 std::span<const VisibilityMethod> visibility_methods();
 
-/// All names, separated by commas.
+/// Returns all names, separated by commas.
 std::string visibility_names();
 
-/// A usage error that lists all names if there is none such.
+/// Returns the method of this name; the usage error lists all names.
 Result<VisibilityMethod> parse_visibility(const std::string& name);
 
-/// The name of the method in these effects; of the z-buffer without one.
+/// Returns the name of the method in these effects; without a method, that of the z-buffer.
 std::string_view visibility_name(Effects effects);
 
-/// `effects` of scene, depth format and method together: a usage error names the method, each effect that it cannot
-/// draw, and the methods that can. `depth_given` names in messages what has chosen the depth format, where it is known.
+/// Checks the effects of scene, depth format and method together. The usage error names the method, each effect that it
+/// cannot draw, and the methods that can. `depth_given` is the name in messages of the option that selected the depth
+/// format, if it is known.
 Result<Done> check_visibility(
     Effects effects, std::string_view depth_given = "the depth format (--depth-format, or the scene file's key)");
 

@@ -1,4 +1,4 @@
-// The tests of Newell, Newell and Sancha, from cheap to expensive, and splitting where they all fail.
+// The tests of Newell, Newell and Sancha, from cheap to expensive; a polygon is split if all tests fail.
 #include "visibility/newell.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +15,8 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::size_t kMaxPieces = 20000;
-constexpr std::size_t kMaxComparisons = 50'000'000;  // the message has it in words
-constexpr double kApart = 1e-9;  // of projected coordinates, where half of the picture's height is about 1
+constexpr std::size_t kMaxComparisons = 50'000'000;  // the message contains this number as text
+constexpr double kApart = 1e-9;  // in projected coordinates; half of the picture's height is about 1
 
 struct Projected {
   double x, y;
@@ -41,7 +41,7 @@ class Sorter {
         near_(camera.near_plane / 65536.0),
         perspective_(camera.projection == Projection::perspective) {}
 
-  /// False if nothing of it can be seen.
+  /// Returns false if the polygon cannot be seen.
   bool prepare(const SoupPolygon& polygon, Item& item) const {
     const SoupPlane near{{-back_.x, -back_.y, -back_.z}, near_ - dot(back_, eye_)};
     SoupSplit cut = split(polygon, near);
@@ -59,18 +59,18 @@ class Sorter {
     return !item.plane.degenerate();
   }
 
-  /// Whether p may be drawn before q: it hides nothing of q.
+  /// True if p may be drawn before q, because it hides nothing of q.
   bool may_precede(const Item& p, const Item& q) const {
     return p.right <= q.left + kApart || q.right <= p.left + kApart || p.top <= q.bottom + kApart ||
            q.top <= p.bottom + kApart || lies(p, q.plane, -1) || lies(q, p.plane, 1) || !overlap(p, q);
   }
-  /// The two tests that are equal for planes with p and q exchanged.
+  /// The two tests that are the same with p and q exchanged.
   bool may_follow(const Item& p, const Item& q) const { return lies(q, p.plane, -1) || lies(p, q.plane, 1); }
 
  private:
   static SoupPoint scaled(const Vec3& v, double one) { return {v.x / one, v.y / one, v.z / one}; }
 
-  /// Whether all of it is on the eye's side of a plane (side 1) or on the other (-1).
+  /// True if the whole item is on the eye's side of a plane (side 1) or on the other side (-1).
   bool lies(const Item& item, const SoupPlane& plane, int side) const {
     double eyes = perspective_ ? plane.at(eye_) : dot(plane.normal, back_);
     if (std::abs(eyes) < 1e-12) return true;  // seen edge-on: it has no pixels
@@ -79,7 +79,8 @@ class Sorter {
                                [&](const SoupCorner& c) { return plane.at(c.position) * eyes >= -kOnPlane; });
   }
 
-  /// Whether outlines overlap in more than a line: no edge of either has all of the other on its outside.
+  /// True if the outlines overlap in more than a line: no edge of either outline has the whole other outline on its
+  /// outside.
   static bool overlap(const Item& p, const Item& q) { return !separates(p, q) && !separates(q, p); }
   static bool separates(const Item& edges, const Item& other) {
     const std::vector<Projected>& o = edges.outline;
@@ -128,7 +129,7 @@ Result<NewellOrder> newell_order(const PolygonSoup& soup, const Camera& camera) 
     Item& first = waiting.front();
     bool drawn = true;
     for (auto q = std::next(waiting.begin()); q != waiting.end(); ++q) {
-      // Those to come are all nearer; one that was moved to the front has no relation to the others.
+      // All later items are nearer. An item that was moved to the front is not sorted relative to the others.
       if (q->farthest <= first.nearest && !first.moved) break;
       if (q->farthest <= first.nearest) continue;
       if (++comparisons > kMaxComparisons || order.soup.polygons.size() + waiting.size() > kMaxPieces) {
@@ -147,11 +148,11 @@ Result<NewellOrder> newell_order(const PolygonSoup& soup, const Camera& camera) 
       SoupSplit parts = split(first.polygon, q->plane);
       bool cuts_first = !parts.front.empty() && !parts.back.empty();
       auto cut = waiting.begin();
-      if (!cuts_first) {  // then it cuts the other, or the tests would not have failed
+      if (!cuts_first) {  // otherwise the other polygon's plane cuts: the tests have failed
         parts = split(q->polygon, first.plane);
         cut = q;
       }
-      if (parts.front.empty() || parts.back.empty()) {  // within rounding: either order is right
+      if (parts.front.empty() || parts.back.empty()) {  // they differ only by rounding: either order is correct
         drawn = true;
         continue;
       }

@@ -1,4 +1,4 @@
-// Gives each triangle vertices and a colour of its own.
+// Gives each triangle its own vertices and colour.
 #include "visibility/numbered_scene.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxTrianglesOfMesh = 65535 / 3;
 
-/// What becomes `pixel` in RGB565.
+/// Returns the colour that becomes `pixel` in RGB565.
 Colour colour_of(std::uint16_t pixel) {
   return {static_cast<std::uint8_t>((pixel >> 11) << 3), static_cast<std::uint8_t>(((pixel >> 5) & 63) << 2),
           static_cast<std::uint8_t>((pixel & 31) << 3), 255};

@@ -1,4 +1,4 @@
-// A scene whose triangles have colours of their own, so that a picture shows which triangle is seen at each pixel.
+// A scene whose triangles have different colours, so that a picture shows the visible triangle of each pixel.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace zstrip::sim {
 
-/// Owns what its scene views. The same triangles in the same order, meshlets and instances, without light and textures;
-/// meshes are cut where their vertices, three a triangle, would be more than a mesh can have.
+/// Owns the data of its scene: the same triangles in the same order, meshlets and instances, without light and
+/// textures. Meshes are cut if their vertices, three a triangle, would be more than a mesh can have.
 class NumberedScene {
  public:
   static constexpr std::size_t kMaxTriangles = 65535;
 
-  /// A usage error if there are more triangles than colours.
+  /// Returns a usage error if there are more triangles than colours.
   static Result<NumberedScene> of(const Scene& scene);
 
   Scene scene() const;
-  /// The RGB565 pixel of triangle n, counted over all instances; 0 is the background.
+  /// Returns the RGB565 pixel of triangle n, counted over all instances; 0 is the background.
   static std::uint16_t pixel(std::size_t triangle) { return static_cast<std::uint16_t>(triangle + 1); }
 
  private:

@@ -1,4 +1,4 @@
-// Gathers triangles by plane and cuts them out of the region that they would have to hide.
+// Collects triangles by plane, and cuts them out of the region that they must hide.
 #include "visibility/occluders.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::size_t kMaxPieces = 512;
-constexpr double kNothing = 1e-10;  // of an area, in square units
+constexpr double kNothing = 1e-10;  // an area in square units that counts as none
 
 using PlanePolygon = std::vector<PlanePoint>;
 
@@ -27,7 +27,7 @@ double area_of(const PlanePolygon& polygon) {
   return twice / 2;
 }
 
-/// Counter-clockwise (Andrew's monotone chain).
+/// Returns the convex hull, counter-clockwise (Andrew's monotone chain).
 PlanePolygon hull_of(std::vector<PlanePoint> points) {
   const auto before = [](const PlanePoint& a, const PlanePoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   std::sort(points.begin(), points.end(), before);
@@ -44,7 +44,7 @@ PlanePolygon hull_of(std::vector<PlanePoint> points) {
   return hull;
 }
 
-/// The part of a convex polygon to the left of the line a, b (or to its right).
+/// Returns the part of a convex polygon to the left of the line a, b (or to its right).
 PlanePolygon part_of(const PlanePolygon& polygon, const PlanePoint& a, const PlanePoint& b, bool left) {
   PlanePolygon part;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -60,7 +60,7 @@ PlanePolygon part_of(const PlanePolygon& polygon, const PlanePoint& a, const Pla
   return part;
 }
 
-/// What is behind cannot be seen through it, and nothing but nearer surfaces takes its place.
+/// True if surfaces behind the material are not visible through it, and only nearer surfaces are drawn over it.
 bool hides(const Scene& scene, const Material& material) {
   return !has_depth_state(material) && finish_of(scene, material).alpha_mode == AlphaMode::opaque;
 }
@@ -116,7 +116,7 @@ bool Occluder::cover(std::vector<PlanePoint> points) const {
 }
 
 std::vector<Occluder> occluders_of(const Scene& scene, const std::vector<bool>& moves, std::size_t most) {
-  constexpr double kAngle = 1.0 / 4096, kDistance = 1.0 / 4096, kOff = 1e-4;  // planes that are one
+  constexpr double kAngle = 1.0 / 4096, kDistance = 1.0 / 4096, kOff = 1e-4;  // tolerances of equal planes
   using Key = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
   std::map<Key, Occluder> found;
   const auto add = [&](const std::array<SoupPoint, 3>& corners) {

@@ -1,4 +1,4 @@
-// Opaque triangles of a scene, gathered by the planes in which they lie: what a wall hides.
+// Opaque triangles of a scene, grouped by plane, such as a wall.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct PlanePoint {
   double x, y;
 };
 
-/// Triangles in one plane that hide what is behind it from all that is before it.
+/// Triangles in one plane that hide everything behind the plane from all points in front of it.
 class Occluder {
  public:
   explicit Occluder(const SoupPlane& plane);
@@ -22,14 +22,14 @@ class Occluder {
   const SoupPlane& plane() const { return plane_; }
   double area() const { return area_; }
   PlanePoint projected(const SoupPoint& point) const { return {dot(across_, point), dot(up_, point)}; }
-  /// A triangle that lies in the plane, counter-clockwise seen from its front.
+  /// Adds a triangle in the plane, counter-clockwise seen from its front.
   void add(const std::array<SoupPoint, 3>& corners);
-  /// False if the point, in the plane's coordinates, is in none of the triangles for certain.
+  /// Returns false if the point, in the plane's coordinates, is certainly in none of the triangles.
   bool may_cover(const PlanePoint& p) const {
     return p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y;
   }
-  /// Whether the triangles together leave nothing of the convex hull of `points`, in the plane's coordinates. False
-  /// also where that would take more than a few hundred pieces.
+  /// True if the triangles together cover the convex hull of `points`, in the plane's coordinates. Also false if the
+  /// test would need more than a few hundred pieces.
   bool cover(std::vector<PlanePoint> points) const;
 
  private:
@@ -40,11 +40,11 @@ class Occluder {
   PlanePoint low_{1e300, 1e300}, high_{-1e300, -1e300};
 };
 
-/// A corner of a mesh in the world.
+/// Returns a corner of a mesh in world space.
 SoupPoint world_position(const Mesh& mesh, const Transform& transform, const Position& position);
 
-/// Those of instances that do not move (`moves`: one for each instance), with materials that hide what is behind them;
-/// the largest first, at most `most`.
+/// Returns the occluders of instances that do not move (`moves`: one for each instance), with materials that hide
+/// surfaces behind them; the largest first, at most `most`.
 std::vector<Occluder> occluders_of(const Scene& scene, const std::vector<bool>& moves, std::size_t most);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// From a scene to polygons in the world, and back.
+// Converts a scene to polygons in world space, and back.
 #include "visibility/polygon_soup.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,8 @@ SoupPoint transformed(const Transform& t, const SoupPoint& p, double w) {
 
 std::array<double, 3> channels(const Colour& c) { return {1.0 * c.r, 1.0 * c.g, 1.0 * c.b}; }
 
-/// As the conventions define light: ambient and directional, times the material and the vertex's own colour.
+/// Returns the lit colour as the conventions define it: ambient and directional light, times material and vertex
+/// colour.
 std::array<double, 3> colour_of(const Scene& scene, const Mesh& mesh, const Instance& instance, std::uint16_t vertex) {
   const Material& material = scene.materials[instance.material];
   std::array<double, 3> colour = channels(material.colour);
@@ -58,15 +59,14 @@ struct Vertex {
   Colour colour;
 };
 
-/// Writes polygons as fans of triangles into meshlets, one after the other; vertices that are alike are shared within a
-/// meshlet.
+/// Writes polygons as fans of triangles into meshlets, one after the other. Equal vertices are shared within a meshlet.
 class MeshletWriter {
  public:
   MeshletWriter(std::vector<Position>& positions, std::vector<Colour>& colours, std::vector<Triangle>& triangles,
                 std::vector<Meshlet>& meshlets)
       : positions_(positions), colours_(colours), triangles_(triangles), meshlets_(meshlets) {}
 
-  /// False if a mesh cannot have that many vertices.
+  /// Returns false if a mesh cannot have that many vertices.
   bool add(std::span<const Vertex> corners) {
     const bool fits = !meshlets_.empty() && meshlets_.back().vertex_count + corners.size() <= kMeshletVertices &&
                       meshlets_.back().triangle_count + corners.size() - 2 <= kMeshletTriangles;
@@ -123,7 +123,7 @@ SoupPoint cross(const SoupPoint& a, const SoupPoint& b) {
 SoupPoint difference(const SoupPoint& a, const SoupPoint& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 SoupPlane SoupPlane::of(const SoupPolygon& polygon) {
-  SoupPoint sum;  // Newell's normal: of all corners
+  SoupPoint sum;  // Newell's normal: sum over all corners
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const SoupPoint c = cross(difference(polygon[i].position, polygon[0].position),
                               difference(polygon[i + 1].position, polygon[0].position));

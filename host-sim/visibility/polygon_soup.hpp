@@ -1,5 +1,5 @@
-// A scene's triangles in the world, in double precision, with the colours that its light gives them: what is sorted and
-// split. And the way back to a scene.
+// A scene's triangles in world space, in double precision, with their lit colours, to be sorted and split; and the
+// conversion back to a scene.
 #pragma once
 
 #include <array>
@@ -24,12 +24,12 @@ struct SoupCorner {
   std::array<double, 3> colour{};  ///< 0..255 a channel
 };
 
-/// Convex and flat, counter-clockwise seen from the front.
+/// A convex and flat polygon, counter-clockwise seen from the front.
 using SoupPolygon = std::vector<SoupCorner>;
 
-/// The plane of a polygon: positive in front.
+/// The plane of a polygon: distances are positive in front of it.
 struct SoupPlane {
-  SoupPoint normal;  ///< unit; 0 of a polygon without area
+  SoupPoint normal;  ///< unit; 0 for a polygon without area
   double distance = 0;
 
   static SoupPlane of(const SoupPolygon& polygon);
@@ -37,10 +37,10 @@ struct SoupPlane {
   bool degenerate() const { return dot(normal, normal) < 0.5; }
 };
 
-/// Below this, in world units, a point lies in a plane.
+/// A point that is closer to a plane, in world units, lies in it.
 inline constexpr double kOnPlane = 1e-6;
 
-/// What of a polygon is in front of a plane and behind it; empty where nothing is.
+/// The parts of a polygon in front of a plane and behind it; empty if there is none.
 struct SoupSplit {
   SoupPolygon front, back;
 };
@@ -53,19 +53,19 @@ struct PolygonSoup {
   Colour background{};
 };
 
-/// A usage error for what colours at corners cannot represent: textures.
+/// Returns a usage error for textures, which colours at corners cannot represent.
 Result<PolygonSoup> soup_of(const Scene& scene);
 
-/// One instance of one mesh, in meshlets, that owns its memory; triangles in the order of the polygons. Moving it keeps
-/// its views valid.
+/// One instance of one mesh, in meshlets, that owns its memory; triangles are in the order of the polygons. Views stay
+/// valid when it is moved.
 class SoupScene {
  public:
-  /// A usage error if there are more vertices than a mesh can have.
+  /// Returns a usage error if there are more vertices than a mesh can have.
   static Result<SoupScene> of(const PolygonSoup& soup);
 
   Scene scene() const;
   const Mesh& mesh() const { return mesh_[0]; }
-  /// Triangles of the polygons before this one.
+  /// Returns the number of triangles of the polygons before this one.
   std::size_t first_triangle(std::size_t polygon) const { return first_triangle_[polygon]; }
 
  private:

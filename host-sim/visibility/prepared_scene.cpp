@@ -1,4 +1,4 @@
-// Chooses what the method needs.
+// Prepares a scene as its method requires.
 #include "visibility/prepared_scene.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// What was wrong, with the name of the method for which it was.
+/// Adds the name of the method to a failure.
 Failure of_method(Effects method, const Failure& failure) {
   return {failure.status,
           fmt::format("--visibility {}: {}; choose another method", visibility_name(method), failure.message)};
@@ -20,13 +20,13 @@ Failure of_method(Effects method, const Failure& failure) {
 }  // namespace
 
 Result<PreparedScene> PreparedScene::of(const Staging& original, Effects method) {
-  // Of the scene as it is: what is made of it below has lost what it cannot have.
+  // Checks the original scene: the scene that is made below no longer has its features.
   if (const Result<Done> checked = check_visibility(effects_of(original.scene, original.camera) | method); !checked) {
     return checked.failure();
   }
   PreparedScene prepared(original);
   if (!method.any(method::orders)) return prepared;
-  if (method.has(method::bsp) && !original.tree.nodes.empty()) return prepared;  // it was baked
+  if (method.has(method::bsp) && !original.tree.nodes.empty()) return prepared;  // the tree was baked
   Result<PolygonSoup> soup = soup_of(original.scene);
   if (!soup) return of_method(method, soup.failure());
   if (method.has(method::bsp)) {

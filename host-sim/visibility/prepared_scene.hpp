@@ -1,4 +1,4 @@
-// What the host does to a scene before a method can draw it: a tree for painter-bsp, an order for painter-newell.
+// Prepares a scene on the host before a method can draw it: a tree for painter-bsp, an order for painter-newell.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,16 @@
 
 namespace zstrip::sim {
 
-/// Owns what it makes; where a method needs nothing, it is the scene as it was. `original` must outlive it.
+/// Owns the data that it makes; equals the original scene if the method needs no preparation. `original` must outlive
+/// it.
 class PreparedScene {
  public:
-  /// A usage error also where the method cannot draw what the scene has.
+  /// Also a usage error if the method cannot draw features of the scene.
   static Result<PreparedScene> of(const Staging& original, Effects method);
 
-  /// With the tree of method::bsp, which lives as long as this or `original`.
+  /// Returns the scene with the tree of method::bsp, which lives as long as this object or `original`.
   Staging staging() const { return made_ ? Staging{made_->scene.scene(), original_.camera, made_->tree()} : original_; }
-  /// Triangles that were split.
+  /// Returns the number of triangles that were split.
   std::size_t splits() const { return made_ ? made_->splits : original_.splits; }
 
  private:

@@ -1,4 +1,4 @@
-// Draws a frame, and turns what it has left behind into pixels.
+// Draws a frame, and converts the data of its visibility method to pixels.
 #include "visibility/show.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ std::uint16_t grey(double light) {
                                     static_cast<unsigned>(31 * l));
 }
 
-/// From the farthest code drawn to the nearest; what is drawn is never quite black.
+/// Scales from the farthest code drawn to the nearest; drawn pixels are never quite black.
 template <class Codes>
 std::vector<std::uint16_t> greys_of(const Codes& codes) {
   std::uint32_t least = UINT32_MAX, most = 0;
@@ -46,11 +46,11 @@ std::vector<std::uint16_t> colours_of(const std::vector<std::uint8_t>& overdraw)
   return pixels;
 }
 
-/// A second frame, of numbered triangles, is what can be judged.
+/// Draws a second frame, of numbered triangles, and checks it.
 Result<std::vector<std::uint8_t>> errors_of(const Staging& staging, const MethodRequest& request) {
   const Result<NumberedScene> numbered = NumberedScene::of(staging.scene);
   if (!numbered) return numbered.failure();
-  // The triangles are those of the scene, and in its order: a tree that was baked is one of theirs, too.
+  // The triangles are those of the scene, in its order, also with a baked tree.
   const bool is_whole = numbered->scene().instances.size() == staging.scene.instances.size();
   const Result<LookedAtFrame> drawn =
       draw_looked_at({numbered->scene(), staging.camera, is_whole ? staging.tree : BspTree{}}, request);
@@ -75,10 +75,10 @@ Result<Show> parse_show(const std::string& name) {
 
 Result<ShownFrame> draw_shown(const Staging& original, const MethodRequest& request, Show show) {
   Staging staging = original;
-  // A shadow is drawn by depths that it changes: it leaves none of the picture's.
+  // A shadow is drawn with depths that it changes, so that the picture's depths are lost.
   if (show == Show::depth || show == Show::tiles) staging.scene.shadow = nullptr;
   MethodRequest counting = request;
-  // What counts pixels is part of the methods' pipelines.
+  // Only pipelines of methods count pixels.
   if (show == Show::overdraw && request.effects.any(effect::depth_formats | effect::depth_ranges)) {
     return Failure{ExitStatus::usage,
                    "--show overdraw counts with depth in z16 alone; add --depth-format z16 --visibility zbuffer"};
@@ -92,7 +92,7 @@ Result<ShownFrame> draw_shown(const Staging& original, const MethodRequest& requ
     return Failure{ExitStatus::usage,
                    "--show tiles needs --visibility hierarchical-z, front-to-back-hierarchical-z or midpoint-safe"};
   }
-  // The judge has triangles only, and takes each for opaque.
+  // The judge knows only triangles, and treats each as opaque.
   if (show == Show::error && effects_of(staging.scene, staging.camera)
                                  .any(effect::surfaces | effect::alpha_test | effect::blending | effect::csg)) {
     return Failure{ExitStatus::usage,

@@ -21,7 +21,7 @@ Point scaled(const Vec3& v, double one) { return {v.x / one, v.y / one, v.z / on
 
 constexpr double kFixed = 65536, kUnit = 1 << 30;
 
-/// Object to view space: x right, y up, z the distance in front of the camera.
+/// Converts object space to view space: x right, y up, z the distance in front of the camera.
 Point to_view(const Mesh& mesh, const Transform& transform, const Camera& camera, const Position& p) {
   const Point centre = scaled(mesh.centre, kFixed), half = scaled(mesh.half_extent, kFixed);
   const double object[3] = {centre.x + half.x * p.x / 32768, centre.y + half.y * p.y / 32768,
@@ -52,7 +52,7 @@ SurfaceJudge::SurfaceJudge(const Scene& scene, const Camera& camera, const View&
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const Transform transform = standing(scene, instance, camera);
-    std::vector<Point> corners;  // of all vertices: x, y in pixels times w, and w; z apart
+    std::vector<Point> corners;  // of all vertices: x, y in pixels times w, and w; z is separate
     std::vector<double> distances;
     for (const Position& position : mesh.positions) {
       const Point v = to_view(mesh, transform, camera, position);
@@ -79,7 +79,7 @@ SurfaceJudge::SurfaceJudge(const Scene& scene, const Camera& camera, const View&
       }
       double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
       for (const Point& p : v) {
-        if (p.z < near / 2 && perspective) left = top = -1e9, right = bottom = 1e9;  // anywhere
+        if (p.z < near / 2 && perspective) left = top = -1e9, right = bottom = 1e9;  // may be anywhere
         left = std::min(left, p.x / p.z), right = std::max(right, p.x / p.z);
         top = std::min(top, p.y / p.z), bottom = std::max(bottom, p.y / p.z);
       }

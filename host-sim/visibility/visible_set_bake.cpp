@@ -1,4 +1,4 @@
-// The sets of a grid of cells, and their bytes.
+// Computes the sets of a grid of cells, and their bytes.
 #include "visibility/visible_set_bake.hpp"
 
 #include <fmt/format.h>
@@ -37,10 +37,10 @@ double distance(const SoupPoint& a, const SoupPoint& b) {
   return std::sqrt(dot(d, d));
 }
 
-/// A meshlet, or a mesh without any; in the order in which VisibilityOptions::potentially_visible counts them.
+/// A meshlet, or a mesh without meshlets, in the order of VisibilityOptions::potentially_visible.
 struct Part {
-  Corners corners;           ///< of its box in the space of the mesh, in the world
-  bool always_seen = false;  ///< moves, or is drawn over what is nearer
+  Corners corners;           ///< of its bounding box in mesh space, transformed to world space
+  bool always_seen = false;  ///< it moves, or is drawn over nearer surfaces
 };
 
 Corners box_of(const Mesh& mesh, const Transform& transform, std::span<const Triangle> triangles) {
@@ -61,7 +61,7 @@ Corners box_of(const Mesh& mesh, const Transform& transform, std::span<const Tri
   return corners;
 }
 
-/// Billboards move with the camera.
+/// Returns true for each instance that moves. Billboards move with the camera.
 std::vector<bool> moving(const Scene& scene, const Animation& animation) {
   std::vector<bool> moves;
   for (const Instance& instance : scene.instances) {
@@ -70,7 +70,7 @@ std::vector<bool> moving(const Scene& scene, const Animation& animation) {
   for (const Track& track : animation.tracks) {
     if (track.instance < moves.size()) moves[track.instance] = true;
   }
-  // Nor is what is seen of a product where its operands are.
+  // The visible part of a product is not where its operands are.
   for (const CsgOperand& operand : scene.csg) moves[operand.instance] = true;
   return moves;
 }
@@ -89,7 +89,7 @@ std::vector<Part> parts_of(const Scene& scene, const std::vector<bool>& moves) {
       add(mesh.triangles.subspan(meshlet.first_triangle, meshlet.triangle_count));
     }
   }
-  // Behind them those of the outlines' hulls, which reach beyond their boxes.
+  // The meshlets of the outlines' hulls follow; hulls reach beyond the boxes.
   parts.resize(count(scene).meshlets, {.corners = {}, .always_seen = true});
   return parts;
 }
@@ -99,7 +99,7 @@ class Judge {
   Judge(const Scene& scene, const std::vector<bool>& moves, const Camera& camera)
       : occluders_(occluders_of(scene, moves, kMaxOccluders)), near_(camera.near_plane / 65536.0) {}
 
-  /// Occluders that the whole cell is in front of, far enough that the near plane cuts nothing off them.
+  /// Selects the occluders that are completely in front of the cell, far enough that the near plane cuts none of them.
   void enter(const Corners& cell) {
     cell_ = cell;
     facing_.clear();
@@ -132,7 +132,7 @@ class Judge {
         if (!occluder.may_cover(crossings.back())) return false;
       }
     }
-    // Two codes of depth at that distance; twice, because only half of what is behind may be along the axis.
+    // Two codes of depth at that distance; twice that, because only half of the distance behind may be along the axis.
     if (nearest_behind < 4 * farthest * farthest / (near_ * 65533)) return false;
     const double wider = farthest * kWidening;
     std::vector<PlanePoint> region;

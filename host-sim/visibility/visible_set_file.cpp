@@ -31,7 +31,7 @@ Result<std::span<const std::uint32_t>> VisibleSetFile::at(const Scene& scene, co
                                                           const Animation& animation) const {
   VisibleSets sets;
   const Status opened = open_visible_sets(std::as_bytes(std::span(words_)).first(bytes_), count(scene).meshlets, sets);
-  // The number of meshlets, and not a file that ends where it would stand.
+  // The number of meshlets differs; the file does not end before that number.
   const bool of_another = opened.needed == detail::visible_sets_at::kMeshlets && bytes_ > opened.needed;
   if (!opened && opened.error == Error::blob_damaged && !of_another) {
     return Failure{ExitStatus::input,
@@ -45,7 +45,7 @@ Result<std::span<const std::uint32_t>> VisibleSetFile::at(const Scene& scene, co
     return Failure{ExitStatus::input,
                    fmt::format("'{}' was baked for another scene, or what stood still has moved", path_)};
   }
-  // open_visible_sets takes a region of flash that may be larger; a file has nothing behind its sets.
+  // open_visible_sets accepts a larger region, because it may be flash; a file must end with its sets.
   if (const std::uint32_t size = words_[detail::visible_sets_at::kSize / 4]; size != bytes_) {
     return Failure{ExitStatus::input,
                    fmt::format("'{}' does not end with its visible sets, at byte {}; bake it again", path_, size)};

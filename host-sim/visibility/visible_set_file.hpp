@@ -1,4 +1,4 @@
-// A file of potentially visible sets, as `zstrip render` reads it.
+// A file of potentially visible sets, for `zstrip render`.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,17 @@ namespace zstrip::sim {
 
 class VisibleSetFile {
  public:
-  /// An input error if there is none such; what it holds is looked at by at().
+  /// Returns an input error if the file does not exist; at() checks its contents.
   static Result<VisibleSetFile> read(const std::string& path);
 
-  /// For VisibilityOptions::potentially_visible of a frame; valid as long as this. Input errors: damaged, or of another
-  /// scene. Usage errors: an orthographic camera, or one whose near plane is nearer than that of the sets.
+  /// Returns the words for VisibilityOptions::potentially_visible of a frame; valid as long as this object. Input
+  /// errors: damaged, or of another scene. Usage errors: an orthographic camera, or a camera with a nearer near plane
+  /// than the sets'.
   Result<std::span<const std::uint32_t>> at(const Scene& scene, const Camera& camera, const Animation& animation) const;
 
  private:
   std::string path_;
-  std::vector<std::uint32_t> words_;  ///< aligned; the last one is filled up
+  std::vector<std::uint32_t> words_;  ///< aligned; the last word is padded
   std::size_t bytes_ = 0;
 };
 
