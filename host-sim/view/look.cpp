@@ -1,4 +1,4 @@
-// Pictures of a scene that are not its colours: wires, depth, how often pixels are drawn.
+// Pictures of a scene other than its colours: wireframe, depth, overdraw.
 #include "view/look.hpp"
 
 #include "render/render_frame.hpp"

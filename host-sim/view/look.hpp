@@ -1,4 +1,4 @@
-// Pictures of a scene that are not its colours: wires, depth, how often pixels are drawn.
+// Pictures of a scene other than its colours: wireframe, depth, overdraw.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace zstrip::sim {
 
 enum class Look : std::uint8_t { colour, wireframe, depth, overdraw, accuracy };
 
-/// "colours", "wireframe", "depth", "overdraw", "accuracy".
+/// Returns "colours", "wireframe", "depth", "overdraw" or "accuracy".
 const char* name_of(Look look);
 
-/// In RGB565 of one sample, without a panel, edges and methods of visibility, whatever the picture has: these are for
-/// eyes, not for a device.
+/// In RGB565 with one sample, without a panel, edges and visibility methods, for any settings of the picture: these
+/// pictures are for the user, not for a device.
 struct LookPicture {
   View view;
   std::vector<std::byte> pixels;
 };
-/// Of any look but colour and accuracy, of the size of `view`.
+/// Draws any look except colour and accuracy, in the size of `view`.
 Result<LookPicture> draw_look(const Staging& staging, Look look, const View& view);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// A camera that is moved by hand: around what it looks at, nearer and farther.
+// Moves a camera as the user does: around its target, nearer and farther.
 #include "view/orbiting.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr double kAxisOne = 1 << 30;    // 2.30
 
 Vector from_fixed(const Vec3& v, double one) { return {v.x / one, v.y / one, v.z / one}; }
 
-/// Of unit length, so that rounding does not make it longer.
+/// Converts to unit length; rounding does not make the vector longer.
 Vec3 to_axis(const Vector& v) {
   const double length = std::sqrt(scalar_product(v, v));
   const auto rounded = [&](double value) { return static_cast<Fixed>(std::lround(value / length * kAxisOne)); };
@@ -29,7 +29,7 @@ Fixed to_fixed(double value) {
 
 Fixed to_positive_fixed(double value) { return std::max(Fixed{1}, to_fixed(value)); }
 
-/// From the eye to the point that stays where it is.
+/// Returns the distance from the eye to the centre of the rotation.
 double distance_to_pivot(const Camera& camera, const Vector& back) {
   const double near_plane = static_cast<double>(camera.near_plane) / kFixedOne;
   const double far_plane = static_cast<double>(camera.far_plane) / kFixedOne;
@@ -50,7 +50,7 @@ Orbiting within_limits(const Camera& camera, Orbiting by) {
   const double elevation = std::asin(std::clamp(back[1], -1.0, 1.0)) * 180 / std::numbers::pi;
   const double steepest = std::max(kSteepest, std::abs(elevation));
   by.pitch = std::clamp(elevation + by.pitch, -steepest, steepest) - elevation;
-  // The eye stays where coordinates reach in every direction.
+  // The eye stays in the range of coordinates in every direction.
   const double distance = distance_to_pivot(camera, back);
   double room = kFurthestEye;
   for (const double coordinate : pivot_of(camera, back, distance)) {
@@ -67,7 +67,7 @@ Camera orbited(const Camera& camera, const Orbiting& unlimited) {
                back = from_fixed(camera.back, kAxisOne);
   const double distance = distance_to_pivot(camera, back);
   const Vector pivot = pivot_of(camera, back, distance);
-  // About the camera's own axis first: it lies level unless the scene's camera is tilted.
+  // First about the camera's own axis: it is horizontal unless the scene's camera is tilted.
   const Affine turn = rotation(about_axis({0, 1, 0}, -by.yaw)) * rotation(about_axis(right, -by.pitch));
 
   Camera moved = camera;
@@ -81,7 +81,7 @@ Camera orbited(const Camera& camera, const Orbiting& unlimited) {
   if (camera.projection == Projection::orthographic) {
     moved.focal = to_positive_fixed(static_cast<double>(camera.focal) / kFixedOne / by.distance);
   }
-  // What was before the far plane stays before it, what was behind the near plane stays visible when closer.
+  // Surfaces in front of the far plane stay in front of it; surfaces behind the near plane stay visible when closer.
   const double step = new_distance - distance;
   moved.far_plane = to_positive_fixed(static_cast<double>(camera.far_plane) / kFixedOne + std::max(0.0, step));
   moved.near_plane = to_positive_fixed(static_cast<double>(camera.near_plane) / kFixedOne * std::min(1.0, by.distance));

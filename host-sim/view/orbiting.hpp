@@ -1,4 +1,4 @@
-// A camera that is moved by hand: around what it looks at, nearer and farther.
+// Moves a camera as the user does: around its target, nearer and farther.
 #pragma once
 
 #include "zstrip/camera.hpp"
@@ -6,16 +6,17 @@
 namespace zstrip::sim {
 
 struct Orbiting {
-  double yaw = 0;       ///< degrees, about the world's y axis; positive turns the scene to the right
+  double yaw = 0;       ///< degrees, about the world's y axis; positive rotates the scene to the right
   double pitch = 0;     ///< degrees; positive shows more of the scene from above
-  double distance = 1;  ///< from what the camera looks at, as a multiple
+  double distance = 1;  ///< factor for the distance from the target
 };
 
-/// The same pitch and distance as far as orbited() follows them: a drag back then moves the camera at once.
+/// Limits pitch and distance to the range of orbited(), so that a drag in the other direction moves the camera at once.
 Orbiting within_limits(const Camera& camera, Orbiting by);
 
-/// `camera` moved around the point of its axis that is nearest to the world's origin, or, where it stands there itself,
-/// a point before it. It never looks steeper than 89 degrees up or down because of `by`. Unmoved it is `camera` itself.
+/// Returns `camera` moved around the point of its axis that is nearest to the world's origin, or, if the camera is at
+/// this point, around a point in front of it. `by` never makes the camera look steeper than 89 degrees up or down.
+/// Without movement returns `camera` itself.
 Camera orbited(const Camera& camera, const Orbiting& by);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Ends the program when a call of a library waits for something that never answers.
+// Ends the program if a library call waits for an answer that never comes.
 #include "view/time_limit.hpp"
 
 #include <condition_variable>

@@ -1,4 +1,4 @@
-// Ends the program when a call of a library waits for something that never answers.
+// Ends the program if a library call waits for an answer that never comes.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// Unless it is destroyed within `time`, prints `failure` and ends the program with its status.
+/// Prints `failure` and ends the program with its status, unless the object is destroyed within `time`.
 class TimeLimit {
  public:
   TimeLimit(std::chrono::seconds time, Failure failure);

@@ -1,4 +1,4 @@
-// The options that say what is viewed: those of drawing, of how many frames there are, and of a board.
+// The options that select the view: drawing, number of frames, and a board.
 #include "view/view_arguments.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ Result<ViewRequest> parse_view_request(const ViewOptions& options) {
   if (!board) return board.failure();
   request.board = *board;
   request.bus_mhz = (*board)->spi_mhz;
-  // A panel has a bus of its own; without one it is the board's.
+  // A panel has its own bus; without a panel the board's bus is used.
   std::optional<std::string>& bus = request.drawing.panel.bus;
   if (!bus) return request;
   const Result<double> hertz = parse_bus_hertz(*bus);

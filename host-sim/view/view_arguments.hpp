@@ -1,4 +1,4 @@
-// The options that say what is viewed: those of drawing, of how many frames there are, and of a board.
+// The options that select the view: drawing, number of frames, and a board.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class App;
 
 namespace zstrip::sim {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct ViewOptions {
   DrawingArguments drawing;
   std::optional<std::uint32_t> frames;
@@ -25,7 +25,7 @@ struct ViewOptions {
 /// Adds the scene and the options; `options` must live as long as the command.
 void add_view_options(CLI::App& command, ViewOptions& options);
 
-/// What they ask for; the scene is not read yet.
+/// Converts the options to a request; the scene is not read yet.
 Result<ViewRequest> parse_view_request(const ViewOptions& options);
 
 }  // namespace zstrip::sim

@@ -49,7 +49,7 @@ std::string help_on_keys() {
   return text;
 }
 
-/// For a person: what is shown, and which keys there are.
+/// Returns text for the user: the scene, and the keys.
 std::string greeting(const std::string& scene, const Viewer& viewer) {
   const double seconds = viewer.milliseconds() / 1e3;
   return fmt::format("zstrip view {}: {}\n{}", printable(scene),

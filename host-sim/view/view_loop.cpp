@@ -1,4 +1,4 @@
-// The life of the window: what a person does changes what is drawn, time changes what is shown.
+// The event loop of the window: input changes the drawing, and time selects the frame.
 #include "view/view_loop.hpp"
 
 #include <fmt/format.h>
@@ -27,15 +27,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kMaxScale = 8;
-constexpr std::uint32_t kWideEnough = 960, kHighEnough = 720;  // the picture is not made larger unasked
-constexpr double kDegreesOfPixel = 0.4;                        // of a drag
-constexpr std::uint32_t kTick = 15;                            // milliseconds between two looks at the time
+constexpr std::uint32_t kWideEnough = 960, kHighEnough = 720;  // limit without a --scale of the user
+constexpr double kDegreesOfPixel = 0.4;                        // of a drag, per pixel
+constexpr std::uint32_t kTick = 15;                            // milliseconds between two checks of the time
 constexpr std::uint32_t kPlayingTick = 4;
 constexpr auto kWatchEvery = std::chrono::milliseconds(300);
 
 double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }
 
-/// The first of SCENE-1, SCENE-2 and so on that is no file here yet.
+/// Returns the first of SCENE-1, SCENE-2 and so on that does not exist as a file.
 std::filesystem::path free_name(const std::string& scene, std::string_view ending) {
   const std::string stem = std::filesystem::path(scene).stem().string();
   for (int number = 1;; ++number) {
@@ -62,7 +62,7 @@ class ViewLoop {
   void press(const std::string& key);
   Result<Done> draw();
   Result<Done> show();
-  /// Asks for a window of `scale`.
+  /// Requests a window for a picture enlarged by `scale`.
   Result<Done> resize(std::uint32_t scale);
   TextLines text() const { return text_ ? TextLines(lines_) : TextLines(); }
   WindowSize picture_size() const { return {shown_.width, shown_.height}; }
@@ -71,7 +71,7 @@ class ViewLoop {
   void look_at_files(Clock::time_point now);
   void save(const std::filesystem::path& name, const Result<std::vector<std::uint8_t>>& file);
   void save_animation();
-  /// Whether strips are still under way from a board.
+  /// True if strips of a board have not all arrived yet.
   bool arriving() const { return arrived_ < viewed_.strips.size(); }
 
   Viewer& viewer_;
@@ -87,9 +87,9 @@ class ViewLoop {
   bool marks_ = false, text_ = true, keys_ = false, playing_;
   ViewedFrame viewed_{};
   std::vector<std::string> lines_{};  // below the picture
-  RgbImage shown_{};                  // what has arrived at the display of a board
-  RgbImage pixels_{};                 // of the window
-  WindowSize asked_for_{};            // the picture's size when the window's was asked for
+  RgbImage shown_{};                  // the part of the picture that has arrived at the board's display
+  RgbImage pixels_{};                 // the window's pixels
+  WindowSize asked_for_{};            // the picture's size when the window's size was requested
   std::size_t arrived_ = 0;
   std::size_t drawing_ = SIZE_MAX;
   Clock::time_point begun_{}, stepped_{};
@@ -140,7 +140,7 @@ Result<Done> ViewLoop::draw() {
   return Done{};
 }
 
-/// Strips arrive as late as the board sends them.
+/// Strips arrive with the delay of the board.
 void copy_rows(const RgbImage& from, const Rect& area, RgbImage& to) {
   for (std::int32_t y = area.top; y < area.bottom; ++y) {
     const auto at = static_cast<std::ptrdiff_t>(
@@ -183,7 +183,7 @@ void ViewLoop::play(Clock::time_point now) {
   const double frame = static_cast<double>(viewer_.milliseconds()) / 1e3 / viewer_.frames();
   const double passed = std::floor(seconds(now - stepped_) / frame);
   if (!playing_ || arriving() || passed < 1) return;
-  // What a slow board has no time for is left out.
+  // Frames that a slow board has no time for are left out.
   viewer_.step(static_cast<std::int64_t>(passed));
   stepped_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(passed * frame));
   changed_ = true;
@@ -297,10 +297,10 @@ void ViewLoop::take(const Input& input) {
 
 Result<Done> ViewLoop::run() {
   auto next = options_.inputs.begin();
-  std::optional<Input> key;  // was pressed before the picture was drawn that it is for
+  std::optional<Input> key;  // pressed before the picture that it applies to was drawn
   bool first = true;
   while (open_) {
-    // What is under way arrives before the next picture is drawn.
+    // All strips of a frame arrive before the next frame is drawn.
     if (changed_ && !arriving()) {
       const Result<Done> drawn = draw();
       if (!drawn && first) return drawn.failure();
@@ -316,7 +316,7 @@ Result<Done> ViewLoop::run() {
       continue;
     }
     if (next != options_.inputs.end() && (!arriving() || closes(*next))) window_.inject(*next++);
-    // A drag is many small ones, which count together; a key means the picture that is there.
+    // Many small drags are added up; a key applies to the visible picture.
     std::optional<Input> input = window_.wait(playing_ ? kPlayingTick : kTick);
     for (; input && input->kind != Input::Kind::key; input = window_.wait(0)) take(*input);
     if (input && changed_ && !closes(*input)) {

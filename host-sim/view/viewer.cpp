@@ -1,4 +1,4 @@
-// What is looked at: which frame, from where, as what, and what a device would take for it.
+// The state of the view: frame, camera, look, and the cost of the frame on a device.
 #include "view/viewer.hpp"
 
 #include <fmt/format.h>
@@ -20,19 +20,19 @@ namespace {
 
 constexpr double kZoomStep = 1.1;
 constexpr double kClosest = 0.05, kFarthest = 20;
-constexpr std::uint32_t kSmooth = 30;  // frames a second, about
+constexpr std::uint32_t kSmooth = 30;  // frames a second, approximately
 constexpr std::uint32_t kMaxFrames = 10000;
 
-/// Whether a pixel of the picture is the same pixel of the panel.
+/// True if pixels of the picture and the panel have the same coordinates.
 bool lies_upright(const std::optional<PanelRequest>& panel) {
   return !panel || (panel->orientation.rotation == hal::Rotation::none && !panel->orientation.mirrored);
 }
 
 struct BoardTime {
-  double draw, send;  // seconds, of the whole frame
+  double draw, send;  // seconds, for the whole frame
 };
 
-/// Every strip takes the share of the frame that it has of its rows.
+/// Returns the times of each strip: its share of the frame's rows.
 std::vector<StripTimes> times_on(const BoardModel& board, const BoardTime& frame, const std::vector<Rect>& strips) {
   std::vector<StripWork> works;
   std::int64_t pixels = 0;
@@ -51,7 +51,7 @@ std::vector<Rect> strips_of(const Plan& plan, const View& view) {
   return strips;
 }
 
-/// Window commands and pixels.
+/// Returns the bytes of window commands and pixels.
 std::uint64_t bytes_on_bus(const std::vector<Rect>& strips, const View& view) {
   std::uint64_t bytes = 0;
   for (const Rect& area : strips) {
@@ -61,7 +61,7 @@ std::uint64_t bytes_on_bus(const std::vector<Rect>& strips, const View& view) {
   return bytes;
 }
 
-/// The clock in one place: the estimate's instructions, and the bytes that the panel takes.
+/// Computes the time from the estimated instructions and the panel's bytes, in one place.
 BoardTime time_on(const BoardModel& board, double bus_mhz, const ViewedFrame& viewed, const View& view) {
   return {static_cast<double>(viewed.instructions) * board.cycles_per_estimate / (board.core_mhz * 1e6),
           static_cast<double>(8 * bytes_on_bus(viewed.strips, view)) / (bus_mhz * 1e6)};
@@ -167,7 +167,7 @@ Result<ViewedFrame> Viewer::draw() {
     viewed.heat = compared->heat->figures;
     viewed.text.push_back(in_words(*viewed.heat));
   } else if (look_ != Look::colour) {
-    // What a device takes is told of the scene.
+    // The cost on a device is that of the scene's normal picture.
     const Result<LookPicture> look = draw_look(*staging, look_, drawing_->view);
     if (!look) return look.failure();
     Result<std::vector<std::uint8_t>> file = encode(ImageType::png, look->view, look->pixels);

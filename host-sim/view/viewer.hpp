@@ -1,4 +1,4 @@
-// What is looked at: which frame, from where, as what, and what a device would take for it.
+// The state of the view: frame, camera, look, and the cost of the frame on a device.
 #pragma once
 
 #include <cstdint>
@@ -20,61 +20,61 @@
 
 namespace zstrip::sim {
 
-/// What the window is to show.
+/// The request for a view.
 struct ViewRequest {
   DrawingArguments drawing;
-  std::uint32_t frames = 64;          ///< of the animation, or of a turn
-  bool smooth = false;                ///< more frames where an animation would have less than 30 a second
-  const BoardModel* board = nullptr;  ///< whose speed is shown; or none
+  std::uint32_t frames = 64;          ///< of the animation, or of a rotation
+  bool smooth = false;                ///< use more frames if an animation would have less than 30 a second
+  const BoardModel* board = nullptr;  ///< the board whose speed is shown, or null
   double bus_mhz = 0;                 ///< of that board's SPI
 };
 
-/// About how many frames a board shows in a second, by its own bus.
+/// The approximate number of frames that a board shows in a second, with its own bus.
 struct BoardRate {
   std::string_view board;
   double frames;
 };
 
-/// A frame, and how a device would come to it.
+/// A frame, and its cost on a device.
 struct ViewedFrame {
   RgbImage picture;
   std::vector<std::uint8_t> png;  ///< the file that `zstrip render` writes
   FrameReport report;
-  std::vector<Rect> strips;           ///< in the picture's pixels; empty on a panel that turns or mirrors them
+  std::vector<Rect> strips;           ///< in the picture's pixels; empty on a panel that rotates or mirrors them
   std::vector<StripTimes> times;      ///< of each strip; only with a board
   std::uint64_t flash_bytes = 0;      ///< of the scene, without the program
-  std::uint64_t instructions = 0;     ///< about, on a Cortex-M3
-  std::vector<std::string> left_out;  ///< effects whose instructions are not among them
+  std::uint64_t instructions = 0;     ///< approximately, on a Cortex-M3
+  std::vector<std::string> left_out;  ///< effects whose instructions are not included
   std::vector<BoardRate> rates;       ///< of all boards
-  std::optional<HeatFigures> heat;    ///< of Look::accuracy
-  std::vector<std::string> text;      ///< lines for people
+  std::optional<HeatFigures> heat;    ///< for Look::accuracy
+  std::vector<std::string> text;      ///< lines for the user
 };
 
 /// Not thread-safe.
 class Viewer {
  public:
-  /// Reads the scene. Failures as of `zstrip render`.
+  /// Reads the scene. Failures: those of `zstrip render`.
   static Result<Viewer> open(const ViewRequest& request);
-  /// Reads the scene again; after a failure the old one is still there.
+  /// Reads the scene again; after a failure the old scene is kept.
   Result<Done> reload();
 
-  /// By so many frames, around the end.
+  /// Moves by so many frames, and wraps at the end.
   void step(std::int64_t frames);
-  /// Degrees about the scene, as Orbiting has them.
+  /// Rotates by degrees about the scene, as in Orbiting.
   void turn(double yaw, double pitch);
   /// Positive: closer.
   void zoom(double steps);
-  /// Back to the scene's own camera.
+  /// Resets to the scene's own camera.
   void reset_camera() { orbiting_ = {}; }
-  /// `look`, or colour if that is how it is looked at.
+  /// Returns the selected look.
   Look look() const { return look_; }
   void toggle(Look look) { look_ = look_ == look ? Look::colour : look; }
 
   std::uint32_t frame() const { return frame_; }
   std::uint32_t frames() const { return frames_; }
-  /// Whether anything moves by itself; a turn does not.
+  /// True if the scene has an animation; a rotation of the whole scene does not count.
   bool moves() const;
-  /// Of the animation, or of a turn.
+  /// Returns the duration of the animation, or of a rotation.
   std::uint32_t milliseconds() const { return milliseconds_of(drawer_->stage()); }
 
   Result<ViewedFrame> draw();
@@ -84,7 +84,7 @@ class Viewer {
   std::vector<std::string> text(const ViewedFrame& viewed) const;
 
   ViewRequest request_;
-  std::unique_ptr<Drawing> drawing_;  // stays where it is: the drawer refers to it
+  std::unique_ptr<Drawing> drawing_;  // on the heap, because the drawer refers to it
   std::unique_ptr<VisibleSetFile> sets_;
   std::optional<SceneDrawer> drawer_;
   std::uint32_t frame_ = 0, frames_ = 1;

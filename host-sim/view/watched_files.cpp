@@ -1,4 +1,4 @@
-// Notices that a scene was saved again.
+// Detects that a file of the scene was saved again.
 #include "view/watched_files.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxEntries = 2000;         // of the folder, so that a home folder takes no time
-constexpr std::uintmax_t kMaxBytes = 64'000'000;  // of a file that is searched for names
+constexpr std::size_t kMaxEntries = 2000;         // read from the folder: a home folder may have many
+constexpr std::uintmax_t kMaxBytes = 64'000'000;  // size of a file that is searched for names
 
 std::vector<fs::path> files_below(const fs::path& folder) {
   std::vector<fs::path> files;

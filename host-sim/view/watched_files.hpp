@@ -1,4 +1,4 @@
-// Notices that a scene was saved again.
+// Detects that a file of the scene was saved again.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,15 @@
 
 namespace zstrip::sim {
 
-/// The scene's file and those beside it or in folders below that it names, and that those name, as a glTF file does its
-/// buffers and an OBJ file its materials and those their textures: all whose name stands in the bytes of a watched one.
-/// A built-in scene has none. To be made before the scene is read: what is saved meanwhile has changed.
+/// Watches the scene's file, and files in its folder and the folders below that a watched file names: all files whose
+/// name is in the bytes of a watched file, such as buffers of a glTF file, materials of an OBJ file, and their
+/// textures. A built-in scene has no files. Create it before the scene is read, so that a file saved in between counts
+/// as changed.
 class WatchedFiles {
  public:
   explicit WatchedFiles(const std::string& scene);
-  /// Whether one of them has changed since the last call, or since this was made. A file that is being replaced, and so
-  /// is not there, has not changed yet.
+  /// True if a file has changed since the last call, or since the object was created. A file that is missing because it
+  /// is being replaced does not count as changed yet.
   bool changed();
 
  private:

@@ -1,4 +1,4 @@
-// A window of the desktop. The only place that knows SDL.
+// A desktop window. Only this file uses SDL.
 #include "view/window.hpp"
 
 #include <SDL.h>
@@ -18,7 +18,7 @@ namespace zstrip::sim {
 
 struct Window::Parts {
   std::string title;
-  SDL_Window* window = nullptr;  // from the first size on
+  SDL_Window* window = nullptr;  // created when the first size is known
 };
 
 void Window::Close::operator()(Parts* parts) const {
@@ -29,7 +29,7 @@ void Window::Close::operator()(Parts* parts) const {
 
 namespace {
 
-constexpr std::chrono::seconds kPatience{10};  // SDL and Xlib wait for a silent desktop without an end
+constexpr std::chrono::seconds kPatience{10};  // SDL and Xlib wait without limit for a desktop that does not answer
 
 Failure no_window(std::string_view why) {
   return {ExitStatus::environment,
@@ -45,7 +45,8 @@ Failure silent_desktop() {
                                kPatience.count()));
 }
 
-/// Without a desktop SDL takes a driver that shows nothing, or the whole screen. A driver named by the user is taken.
+/// Without a desktop SDL selects a driver that shows nothing, or the whole screen. A driver named by the user is
+/// accepted.
 bool has_desktop() {
   const std::string_view driver = SDL_GetCurrentVideoDriver();
   return std::getenv("SDL_VIDEODRIVER") != nullptr || driver == "wayland" || driver == "x11";
@@ -65,7 +66,7 @@ std::string key_name(SDL_Keycode code, bool shifted) {
   return name;
 }
 
-/// Nothing for what is of no interest.
+/// Returns nothing for events that are not used.
 std::optional<Input> input_of(const SDL_Event& event) {
   switch (event.type) {
     case SDL_QUIT: return Input{.kind = Input::Kind::closed};
@@ -124,7 +125,7 @@ Result<Window> Window::open(const std::string& title) {
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // Ctrl-C ends the program
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return no_window(SDL_GetError());
   if (!has_desktop()) return no_window("DISPLAY and WAYLAND_DISPLAY name no desktop");
-  // X11 takes the pixels themselves: OpenGL is slow by ssh, and its picture moves while the window changes its size.
+  // X11 gets the pixels themselves: OpenGL is slow over ssh, and its picture moves while the window's size changes.
   if (std::string_view(SDL_GetCurrentVideoDriver()) == "x11") SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   return Window(std::move(parts));
 }
@@ -132,7 +133,8 @@ Result<Window> Window::open(const std::string& title) {
 WindowSize Window::room() const {
   constexpr std::uint32_t kMaxSide = 4096;
   if (!has_screen()) return {kMaxSide, kMaxSide};
-  // The frame's size is known only when the window is shown; a title bar takes some twentieth of a screen's height.
+  // The size of the window's frame is known only when the window is shown; a title bar takes about a twentieth of a
+  // screen's height.
   const SDL_Rect area = usable_area();
   const auto side = [](int all, int frame) { return static_cast<std::uint32_t>(std::max(all - frame, 1)); };
   return {std::min(side(area.w, 16), kMaxSide), std::min(side(area.h, 24 + area.h / 30), kMaxSide)};
@@ -169,7 +171,7 @@ Result<Done> Window::show(const RgbImage& pixels) {
   };
   SDL_Surface* const window = SDL_GetWindowSurface(parts_->window);
   if (window == nullptr) return failed();
-  // SDL does not write to it.
+  // SDL does not write to the pixels.
   auto* const bytes = const_cast<std::uint8_t*>(pixels.rgb.data());
   SDL_Surface* const image =
       SDL_CreateRGBSurfaceWithFormatFrom(bytes, width, height, 24, 3 * width, SDL_PIXELFORMAT_RGB24);
@@ -182,7 +184,7 @@ Result<Done> Window::show(const RgbImage& pixels) {
 }
 
 std::optional<Input> Window::wait(std::uint32_t milliseconds) {
-  // SDL_WaitEventTimeout sends X11 events to a window that may be gone when they arrive, which ends the program.
+  // SDL_WaitEventTimeout sends X11 events to a window that may no longer exist, which ends the program.
   constexpr std::uint64_t kNap = 3;
   const std::uint64_t end = SDL_GetTicks64() + milliseconds;
   for (;;) {

@@ -1,4 +1,4 @@
-// A window of the desktop. The only place that knows SDL.
+// A desktop window. Only window.cpp uses SDL.
 #pragma once
 
 #include <cstdint>
@@ -12,37 +12,38 @@
 
 namespace zstrip::sim {
 
-/// What a person does.
+/// An input event of the user.
 struct Input {
   enum class Kind : std::uint8_t { key, drag, wheel, exposed, closed };
   Kind kind = Kind::exposed;
-  std::string key{};  ///< as SDL names it, letters small, or large with the shift key: "w", "S", "Right", "Space"
-  double x = 0;       ///< of a drag: pixels to the right
-  double y = 0;       ///< of a drag: pixels downwards; of the wheel: steps away from the person
+  std::string key{};  ///< name as in SDL, letters lower case, or upper case with the shift key: "w", "S", "Right",
+                      ///< "Space"
+  double x = 0;       ///< for a drag: pixels to the right
+  double y = 0;       ///< for a drag: pixels downwards; for the wheel: steps away from the user
 };
 
-/// "w", "right", "drag=40:-10", "wheel=2": as in --press. Nothing if it is none.
+/// Parses "w", "right", "drag=40:-10", "wheel=2", as in --press. Returns nothing for other words.
 std::optional<Input> parse_input(const std::string& word);
 
-/// Used by one thread, the one that opened it.
+/// To be used only by the thread that opened it.
 class Window {
  public:
-  /// Connects to the desktop; nothing is shown yet. ExitStatus::environment without one; where one does not answer, the
-  /// program ends with that status after some seconds.
+  /// Connects to the desktop; nothing is shown yet. ExitStatus::environment without a desktop; if the desktop does not
+  /// answer, the program ends with that status after some seconds.
   static Result<Window> open(const std::string& title);
 
-  /// The largest window that lies within the screen, beside the desktop's bars, with a frame around it.
+  /// Returns the size of the largest window with a frame that fits on the screen without covering the desktop's bars.
   WindowSize room() const;
-  /// Asks the desktop for this size, which may give another; the first call shows the window. Input::Kind::exposed
-  /// tells of each change.
+  /// Requests this size from the desktop, which may choose another one; the first call shows the window. Each change is
+  /// reported by Input::Kind::exposed.
   Result<Done> resize(const WindowSize& size);
-  /// The size that it has.
+  /// Returns the current size.
   WindowSize size() const;
-  /// Pixel for pixel; made for size(), or else in the middle.
+  /// Shows pixels without scaling: made for size(), or else centred.
   Result<Done> show(const RgbImage& pixels);
-  /// Waits for at most so long; nothing happened if it returns nothing.
+  /// Waits for at most so long; returns nothing if there was no input.
   std::optional<Input> wait(std::uint32_t milliseconds);
-  /// As if a person did it: wait() returns it after what has happened already.
+  /// Adds an input event as if the user had caused it; wait() returns it after earlier events.
   void inject(const Input& input);
   void set_title(const std::string& title);
 

@@ -1,4 +1,4 @@
-// The pixels of the window: the picture, enlarged or reduced, perhaps with its strips, and lines of text below it.
+// The pixels of the window: the picture, enlarged or reduced, optionally with its strips, and lines of text below it.
 #include "view/window_picture.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::uint32_t kMargin = 6;       // pixels around the text
-constexpr std::uint32_t kTextWidth = 720;  // of a window that may choose: 59 letters
+constexpr std::uint32_t kTextWidth = 720;  // of a window whose width is free: 59 letters
 using Rgb = std::array<std::uint8_t, 3>;
 constexpr Rgb kBorder{96, 96, 96}, kLitBorder{255, 208, 0};
 
@@ -27,7 +27,7 @@ RgbImage black(const WindowSize& size) {
           .rgb = std::vector<std::uint8_t>(std::size_t{3} * size.width * size.height)};
 }
 
-/// Breaks between words, or in a word that is longer than a line.
+/// Breaks lines between words, or inside a word that is longer than a line.
 std::vector<std::string> broken(TextLines text, std::size_t letters, std::size_t indent) {
   letters = std::max<std::size_t>(letters, 8);
   indent = std::min(indent, letters / 2);
@@ -62,13 +62,13 @@ std::uint32_t height_of(const std::vector<std::string>& lines, const Letters& le
 
 constexpr std::size_t kIndent = 2;
 
-/// Zero for a text that is left out.
+/// Returns 0 for a text that is left out.
 std::uint32_t text_height(TextLines text, const WindowSize& window, std::uint32_t picture_height) {
   const std::uint32_t height = height_of(lines_in(text, kLarge, window.width, kIndent), kLarge);
   return height + std::min(picture_height, window.height / 2) <= window.height ? height : 0;
 }
 
-/// In the letters that a device draws over its pictures, from row `top` of the window on.
+/// Draws text with the letters that a device draws over its pictures, from row `top` of the window on.
 void draw_text(const std::vector<std::string>& lines, const Letters& letters, std::uint32_t top, RgbImage& window) {
   const std::uint32_t height = window.height - top;
   std::vector<Label> labels;
@@ -87,7 +87,7 @@ void draw_text(const std::vector<std::string>& lines, const Letters& letters, st
   std::ranges::copy(text.rgb, window.rgb.end() - static_cast<std::ptrdiff_t>(text.rgb.size()));
 }
 
-/// Of a square of `side` pixels, as far as it lies in the picture.
+/// Returns the mean colour of a square of `side` pixels, as far as it lies in the picture.
 Rgb mean(const RgbImage& picture, std::uint32_t left, std::uint32_t top, std::uint32_t side) {
   if (side == 1) {
     const std::uint8_t* const pixel = picture.pixel(left, top);
@@ -109,13 +109,13 @@ std::uint32_t scaled(std::uint32_t length, const PictureScale& scale) {
   return std::max(length * scale.enlarged / scale.reduced, 1U);
 }
 
-/// Where the picture lies in the window.
+/// The position of the picture in the window.
 struct Place {
   std::uint32_t left, top;
   PictureScale scale;
 };
 
-/// One pixel of the window wide, whatever the scale: it hides little of the picture.
+/// Draws a border with a width of one window pixel at any scale, so that it hides little of the picture.
 void draw_border(RgbImage& window, const Rect& strip, const Place& place, const Rgb& colour) {
   const auto at = [&](std::int32_t value) {
     return static_cast<std::uint32_t>(value) * place.scale.enlarged / place.scale.reduced;

@@ -1,4 +1,4 @@
-// The pixels of the window: the picture, enlarged or reduced, perhaps with its strips, and lines of text below it.
+// The pixels of the window: the picture, enlarged or reduced, optionally with its strips, and lines of text below it.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace zstrip::sim {
 
-/// Pixels.
+/// A size in pixels.
 struct WindowSize {
   std::uint32_t width = 1, height = 1;
   bool operator==(const WindowSize&) const = default;
@@ -23,27 +23,27 @@ struct PictureScale {
   bool operator==(const PictureScale&) const = default;
 };
 
-/// Pixels of the border of a strip, in the picture's pixels: those of its first row and column.
+/// Draws the border of each strip on the first row and column of its pixels in the picture.
 struct StripMarks {
-  std::span<const Rect> strips{};  ///< none: no marks
-  std::size_t drawing = SIZE_MAX;  ///< the strip that is lit
+  std::span<const Rect> strips{};  ///< empty: no marks
+  std::size_t drawing = SIZE_MAX;  ///< the strip that is highlighted
 };
 
 using TextLines = std::span<const std::string>;
 
-/// The size that a window for this picture and this text should have: of `scale` or, where `room` is too small for
-/// that, of the largest scale that fits; never larger than `room`.
+/// Returns the size of a window for this picture and text: with `scale` or, if `room` is too small, with the largest
+/// scale that fits; never larger than `room`.
 WindowSize wanted_window(const WindowSize& picture, std::uint32_t scale, TextLines text, const WindowSize& room);
 
-/// The largest scale in a window of this size, above the text.
+/// Returns the largest scale that fits in a window of this size, above the text.
 PictureScale scale_in(const WindowSize& window, const WindowSize& picture, TextLines text);
 
-/// The picture in the middle of what the text leaves. Lines are broken between words where the window is narrow; the
-/// text is left out where it would take more than half of a window that is too low for both.
+/// Draws the picture in the middle of the space above the text. Lines are broken between words if the window is narrow.
+/// The text is left out if it would take more than half of a window that is too low for both.
 RgbImage window_picture(const RgbImage& picture, const StripMarks& marks, TextLines text, const WindowSize& window);
 
-/// Text alone, in smaller letters where it does not fit otherwise. The second half of a broken line begins `indent`
-/// letters further to the right.
+/// Draws only text, in smaller letters if it does not fit otherwise. The second part of a broken line is indented by
+/// `indent` more letters.
 RgbImage text_page(TextLines text, std::size_t indent, const WindowSize& window);
 
 }  // namespace zstrip::sim

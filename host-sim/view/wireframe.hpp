@@ -10,13 +10,13 @@ namespace zstrip::sim {
 
 class Wireframe {
  public:
-  /// Edges are white, or have the colours of their vertices. Spheres, lines, labels and sprites stay as they are. Views
-  /// this object and what `staging` views; until the next call.
+  /// Edges are white, or have the colours of their vertices. Spheres, lines, labels and sprites do not change. The
+  /// result refers to this object and to the data of `staging`; valid until the next call.
   Staging of(const Staging& staging);
 
  private:
   std::vector<Material> materials_;
-  std::vector<std::vector<Segment>> edges_;  ///< by mesh; empty: nothing has it
+  std::vector<std::vector<Segment>> edges_;  ///< by mesh; empty for meshes without instances
   std::vector<LineSet> lines_;
 };
 
