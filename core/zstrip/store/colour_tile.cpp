@@ -12,8 +12,7 @@ namespace zstrip {
 namespace {
 
 constexpr std::uint32_t kMaxColours = 16;
-constexpr std::uint8_t kDifferences = 0x80;   // bit of the first byte; without it the byte is the number of a palette's
-                                              // colours
+constexpr std::uint8_t kDifferences = 0x80;   // bit of the first byte; without it: number of a palette's colours
 constexpr std::uint32_t kDifferenceHead = 4;  // first byte, width of blue, first pixel
 
 /// Returns the bits of a palette's index.

@@ -44,8 +44,7 @@ struct DecodedPlane {
 template <std::uint32_t form_index>
 [[gnu::always_inline]] inline DecodedPlane read_plane(const std::uint8_t* bytes, std::uint32_t more_fraction) {
   constexpr PlaneForm kForm = kPlaneForms[form_index];
-  const std::uint32_t low = little_endian(bytes), high = little_endian(bytes + kForm.bytes - 4);  // the two words may
-                                                                                                  // overlap
+  const std::uint32_t low = little_endian(bytes), high = little_endian(bytes + kForm.bytes - 4);  // they may overlap
   // Each slope is at the top of a word. In the longest form the slope along x begins in the low word.
   const std::uint32_t x = high << kForm.slope_bits | (kForm.bytes == 8 ? low >> 24 << 12 : 0);
   constexpr std::uint32_t kSlopeShift = 32U - kForm.slope_bits;
