@@ -1,4 +1,4 @@
-// Plans for a range of budgets, each drawn once to see what it does.
+// Plans for a range of budgets, each drawn once for its statistics.
 #include "plan/alternatives.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ class Planning {
   Effects effects() const { return effects_; }
   DepthFormat depth_format() const { return zstrip::depth_format(effects_); }
 
-  /// With `budget`, and the request's view and effects.
+  /// Plans with `budget`, and with the request's view and effects.
   PlanResult plan(const Budget& budget) const { return zstrip::plan(counts_, request_.view, effects_, budget); }
 
   std::uint64_t total_bytes(const Plan& plan) const {
@@ -61,7 +61,7 @@ class Planning {
   Effects effects_;
 };
 
-/// The least that has to be changed of what was given, one option after the other until something fits.
+/// Returns the smallest change of the given options that makes a plan fit; tries one option after the other.
 std::string cheapest_change(const Planning& planning, const Budget& given, const View& view) {
   Budget changed = given;
   std::string words;
@@ -140,7 +140,7 @@ Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& reques
   budget.bytes = 0;
   const double largest = static_cast<double>(planning.total_bytes(planning.plan(budget).plan));
   for (int point = 0; point <= kPointsOfCurve; ++point) {
-    // Even steps of a logarithm: every one is the same share more.
+    // Even steps of the logarithm: each budget is larger by the same factor.
     budget.bytes = static_cast<std::uint32_t>(
         std::ceil(smallest * std::pow(std::max(1.0, largest / smallest), static_cast<double>(point) / kPointsOfCurve)));
     const PlanResult planned = planning.plan(budget);

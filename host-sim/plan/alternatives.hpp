@@ -1,4 +1,4 @@
-// What a scene takes for one picture: the best plan for the memory that is allowed, and what more or less would buy.
+// The memory that a scene takes for one picture: the best plan within a budget, and plans with more or less memory.
 #pragma once
 
 #include <cstdint>
@@ -14,41 +14,41 @@
 
 namespace zstrip::sim {
 
-/// One plan, and what drawing the first frame with it did.
+/// One plan, and the statistics of the first frame drawn with it.
 struct Alternative {
   Plan plan;
   std::uint64_t total_bytes = 0;   ///< arena, strip buffers and static layer
   std::uint64_t instructions = 0;  ///< of a Cortex-M3, estimated from `statistics`
   Statistics statistics;
-  bool overflowed = false;  ///< its bins were too small for this frame, which was streamed
+  bool overflowed = false;  ///< its bins were too small for this frame, which was drawn in Mode::streamed
 };
 
 struct PlanRequest {
   View view;
-  std::optional<bool> edges{};  ///< what with_edges was told
-  Budget budget;                ///< bytes, rows, columns, buffers and layer as given
-  bool may_bin = true;          ///< else only streamed plans
+  std::optional<bool> edges{};  ///< the argument of with_edges
+  Budget budget;                ///< bytes, rows, columns, buffers and layer as given by the user
+  bool may_bin = true;          ///< false: only streamed plans
   DepthFormat depth_format = DepthFormat::z16;
-  std::optional<DepthNeed> depth{};  ///< then the planner chooses the format
-  Effects perspective{};             ///< one of effect::perspective_runs, for what is baked; plans are the same
-  Effects method{};  ///< how visibility is found; nothing: the z-buffer. The scene is prepared for it (PreparedScene).
+  std::optional<DepthNeed> depth{};  ///< if set, the planner chooses the format
+  Effects perspective{};             ///< one of effect::perspective_runs, for baked output; plans do not depend on it
+  Effects method{};  ///< visibility method; empty: the z-buffer. The scene is prepared for it (PreparedScene).
 };
 
 struct PlanChoice {
   SceneCounts counts;
   Effects effects;  ///< of scene, picture and request
   Alternative chosen;
-  DepthFormat depth_format = DepthFormat::z16;  ///< of all its plans
+  DepthFormat depth_format = DepthFormat::z16;  ///< of all these plans
   std::vector<Alternative> curve;    ///< from the smallest plan to a single strip, each faster than the one before
-  KeptFrames kept;                   ///< the scene as a static layer
-  std::optional<DepthAdvice> depth;  ///< none if nothing is visible
+  KeptFrames kept;                   ///< the memory of the scene as a static layer
+  std::optional<DepthAdvice> depth;  ///< nothing if no surface is visible
 };
 
-/// The plan of least estimated cost. Failures as of choose_plan.
+/// Returns the plan of least estimated cost. Failures as in choose_plan.
 Result<Plan> best_plan(const Staging& staging, const PlanRequest& request);
 
-/// The same, drawn, with alternatives. Failures: ExitStatus::budget with the bytes that are needed and the cheapest
-/// change that would fit.
+/// Chooses the plan, draws it, and adds alternatives. Failures: ExitStatus::budget with the bytes that are needed and
+/// the smallest change that would fit.
 Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& request);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Which depth format a picture needs; see depth_advice.hpp.
+// Chooses the depth format of a picture; see depth_advice.hpp.
 #include "plan/depth_advice.hpp"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr double kUnit = 4294967296.0;  // of 32.32
+constexpr double kUnit = 4294967296.0;  // 1 in 32.32
 
-/// Width of a pixel at `distance`, in view units.
+/// Returns the width of a pixel at `distance`, in view units.
 double pixel_at(double distance, const Camera& camera, const View& view) {
   const double at_one = 2.0 / (camera.focal / double{kFixedOne} * view.height);
   return camera.projection == Projection::orthographic ? at_one : at_one * distance;

@@ -1,4 +1,4 @@
-// What a turn of the scene would take as a static layer; see kept_frames.hpp.
+// Measures the memory of the scene's frames as static layers; see kept_frames.hpp.
 #include "plan/kept_frames.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// The memory of a layer in which every picture has room, and of a single strip.
+/// The memory of a layer that has room for every picture, and of a single strip.
 class Keeper {
  public:
   Keeper(const View& view, DepthFormat format)
@@ -26,7 +26,7 @@ class Keeper {
 
   const LayerBytes& worst() const { return worst_; }
 
-  /// Widens the distances of things by this frame's. Keeps nothing where the frame has no plain depth.
+  /// Extends the distances by those of this frame. Keeps nothing if the frame has no plain depth.
   Status keep(const Staging& staging, Fixed& nearest, Fixed& farthest) {
     const Effects effects = effects_of(staging.scene, staging.camera) | effects_of(view_) | depth_effect(format_);
     const PlanResult planned = zstrip::plan(count(staging.scene), view_, effects, {.strip_rows = view_.height});
