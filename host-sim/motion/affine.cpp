@@ -1,4 +1,4 @@
-// Maps of space in floating point.
+// Affine maps in floating point.
 #include "motion/affine.hpp"
 
 #include <algorithm>
@@ -10,19 +10,20 @@ namespace {
 
 Vector column(const Affine& a, std::size_t index) { return {a.m[0][index], a.m[1][index], a.m[2][index]}; }
 
-/// Unit vector in the direction of `v`; `otherwise` if it has none.
+/// Returns the unit vector in the direction of `v`; `otherwise` if `v` is zero.
 Vector direction(const Vector& v, const Vector& otherwise) {
   const double length = std::hypot(v[0], v[1], v[2]);
   if (!(length > 1e-12)) return otherwise;
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-/// A unit vector at a right angle to the unit vector `v`.
+/// Returns a unit vector that is perpendicular to the unit vector `v`.
 Vector perpendicular(const Vector& v) {
   return direction(vector_product(v, std::abs(v[0]) < 0.9 ? Vector{1, 0, 0} : Vector{0, 1, 0}), {0, 1, 0});
 }
 
-/// Of the rotation with these columns, orthonormal and right-handed: the largest component by a root, the others by it.
+/// Returns the quaternion of the rotation with these columns, orthonormal and right-handed. The row of the largest
+/// component is used, for precision.
 Quaternion quaternion_of(const Vector& x, const Vector& y, const Vector& z) {
   const std::array<double, 4> squares{1 + x[0] - y[1] - z[2], 1 - x[0] + y[1] - z[2], 1 - x[0] - y[1] + z[2],
                                       1 + x[0] + y[1] + z[2]};
@@ -117,7 +118,7 @@ Placement to_placement(const Affine& a) {
   const double overlap = scalar_product(x, along_y);
   const Vector y = direction({along_y[0] - overlap * x[0], along_y[1] - overlap * x[1], along_y[2] - overlap * x[2]},
                              direction(vector_product(along_z, x), perpendicular(x)));
-  const Vector z = vector_product(x, y);  // a mirror image has a negative scale along it
+  const Vector z = vector_product(x, y);  // a mirrored map has a negative scale along this axis
   return {.translation = column(a, 3),
           .rotation = quaternion_of(x, y, z),
           .scale = {scalar_product(x, along_x), scalar_product(y, along_y), scalar_product(z, along_z)}};
@@ -143,7 +144,7 @@ Quaternion unit(const Quaternion& q) {
 Quaternion between(const Quaternion& a, const Quaternion& b, double share) {
   const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   const double angle = std::acos(std::min(std::abs(cosine), 1.0));
-  // Nearly the same rotation: the arc is straight.
+  // The rotations are nearly equal: the arc is straight.
   const double sine = std::sin(angle);
   const double from = sine > 1e-6 ? std::sin((1 - share) * angle) / sine : 1 - share;
   const double to = (sine > 1e-6 ? std::sin(share * angle) / sine : share) * (cosine < 0 ? -1 : 1);

@@ -1,4 +1,4 @@
-// Maps of space in floating point: where things are in models and scene files, before fixed point.
+// Affine maps in floating point: positions in models and scene files, before the conversion to fixed point.
 #pragma once
 
 #include <array>
@@ -16,37 +16,38 @@ struct Affine {
 double scalar_product(const Vector& a, const Vector& b);
 Vector vector_product(const Vector& a, const Vector& b);
 
-/// First `b`, then `a`.
+/// Returns the map that applies `b` first, then `a`.
 Affine operator*(const Affine& a, const Affine& b);
 Vector operator*(const Affine& a, const Vector& point);
 
 Affine translation(const Vector& by);
 Affine scaling(const Vector& by);
-/// Of any quaternion but zero, whose length does not matter.
+/// Converts any quaternion except zero; its length does not matter.
 Affine rotation(const Quaternion& by);
 
-/// Whether it only scales along the axes and moves.
+/// True if the map only scales along the axes and translates.
 bool is_diagonal(const Affine& a);
 double determinant(const Affine& a);
-/// determinant(a) != 0.
+/// Returns the inverse. determinant(a) != 0.
 Affine inverse(const Affine& a);
 
-/// Scaled, then rotated, then moved.
+/// Scales, then rotates, then translates.
 struct Placement {
   Vector translation{0, 0, 0};
   Quaternion rotation{0, 0, 0, 1};  ///< unit
   Vector scale{1, 1, 1};
 };
 Affine to_affine(const Placement& placement);
-/// Exact for what is a placement; what shears is replaced by one with the same images of the origin and of the x axis.
+/// Converts a map; exact if the map is a placement. A map that shears is replaced by a placement with the same images
+/// of the origin and of the x axis.
 Placement to_placement(const Affine& a);
 
-/// Of rotations by degrees about x, then y, then z.
+/// Returns the rotation by degrees about x, then y, then z.
 Quaternion from_degrees(const Vector& about);
-/// A rotation by degrees about an axis of any length but zero.
+/// Returns a rotation by degrees about an axis of any length except zero.
 Quaternion about_axis(const Vector& axis, double degrees);
 Quaternion unit(const Quaternion& q);
-/// Along the shorter arc, at constant speed; unit quaternions.
+/// Interpolates along the shorter arc, at constant speed; unit quaternions.
 Quaternion between(const Quaternion& a, const Quaternion& b, double share);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// From motions in floating point to keyframes: each as late as possible after the one before.
+// Fits keyframes to motions in floating point: each as late as possible after the one before.
 #include "motion/fitted_animation.hpp"
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::uint32_t kMaxSamples = 20000;  // of one motion; longer animations are looked at less often
+constexpr std::uint32_t kMaxSamples = 20000;  // of one motion; longer animations are sampled less often
 
-/// A motion at one time: where it should be, and the keyframe for it.
+/// A motion at one time: the exact placement, and the keyframe for it.
 struct Sample {
   Affine wanted;
   Keyframe keyframe{};
 };
 
-/// Milliseconds, growing: 0, the end, 60 a second, every key and the last millisecond before it.
+/// Returns ascending milliseconds: 0, the end, 60 a second, every key and the last millisecond before it.
 std::vector<std::uint32_t> sample_times(std::uint32_t duration, const std::set<double>& key_times) {
   std::set<std::uint32_t> times{0, duration};
   const std::uint32_t count = std::min(kMaxSamples / 2, duration * 60 / 1000);
@@ -52,7 +52,7 @@ bool to_keyframe(std::uint32_t time, const Affine& wanted, Keyframe& keyframe) {
   return to_fixed(placement.translation, 32767, keyframe.translation) && to_fixed(placement.scale, 255, keyframe.scale);
 }
 
-/// Of the two quaternions of a rotation the one nearer to that of `before`.
+/// Returns the keyframe with the sign of its quaternion that is nearer to the quaternion of `before`.
 Keyframe after(const Keyframe& before, Keyframe keyframe) {
   std::int64_t cosine = 0;
   for (std::size_t i = 0; i < 4; ++i) cosine += std::int64_t{before.rotation[i]} * keyframe.rotation[i];
@@ -62,7 +62,7 @@ Keyframe after(const Keyframe& before, Keyframe keyframe) {
   return keyframe;
 }
 
-/// How far the renderer's interpolation of a few keyframes is off at a sample.
+/// Returns the error of the renderer's interpolation of a few keyframes at a sample.
 double deviation(std::span<const Keyframe> keyframes, const Sample& sample, std::span<const Vector> corners) {
   const Track track{.instance = 0, .count = static_cast<std::uint16_t>(keyframes.size()), .first = 0};
   Instance instance;
@@ -110,7 +110,8 @@ class Fit {
     return true;
   }
 
-  /// The next keyframe: a late sample that can be reached from the one at `at`, found by doubling and halving the step.
+  /// Returns the next keyframe: a late sample that can be reached from the one at `at`, found by doubling and halving
+  /// the step.
   std::size_t farthest_from(const Keyframe& from, std::size_t at) const {
     const std::size_t last = samples_.size() - 1;
     std::size_t good = at + 1, step = 1;

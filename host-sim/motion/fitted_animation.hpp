@@ -1,4 +1,4 @@
-// From motions in floating point to the renderer's animation: as few keyframes as show the same.
+// Fits the renderer's animation to motions in floating point, with as few keyframes as the tolerance allows.
 #pragma once
 
 #include <functional>
@@ -13,18 +13,18 @@
 
 namespace zstrip::sim {
 
-/// Where one instance is: from its object space to the scene, `seconds` after the start.
+/// The motion of one instance: its map from object space to the scene, `seconds` after the start.
 struct InstanceMotion {
   std::uint16_t instance = 0;
   std::function<Affine(double seconds)> at;
-  std::vector<Vector> corners;  ///< of what moves, in object space
+  std::vector<Vector> corners;  ///< of the moving object, in object space
 };
 
 inline constexpr double kMaxAnimation = 3600;  ///< seconds
-/// How far keyframes may be off, of the scene's radius: a tenth of a pixel where that fills 320 pixels.
+/// Largest error of keyframes, relative to the scene's radius: a tenth of a pixel if the radius fills 320 pixels.
 inline constexpr double kAnimationTolerance = 1.0 / 1600;
 
-/// Owns what an Animation views. Stays valid when it is moved; cannot be copied.
+/// Owns the data that an Animation views. Stays valid when it is moved; cannot be copied.
 class FittedAnimation {
  public:
   FittedAnimation() = default;
@@ -34,7 +34,7 @@ class FittedAnimation {
   FittedAnimation& operator=(const FittedAnimation&) = delete;
 
   Animation view() const { return {tracks_, keyframes_, duration_}; }
-  /// The farthest that a corner is from where it should be, of all times looked at; the scene's units.
+  /// Returns the largest distance of a corner from its exact place, over all sampled times; in the scene's units.
   double error() const { return error_; }
 
  private:
@@ -46,10 +46,10 @@ class FittedAnimation {
   double error_ = 0;
 };
 
-/// `duration`: seconds, > 0, at most kMaxAnimation. `key_times`: where motions may bend or jump; between them they
-/// are looked at 60 times a second. Every corner stays within `tolerance` (the scene's units) of its place, but for
-/// motions that shear, which no keyframe can represent: error() has the distance. Fails (ExitStatus::input, message
-/// starts with a verb) for what leaves the renderer's range.
+/// `duration`: seconds, > 0, at most kMaxAnimation. `key_times`: the times at which motions may bend or jump; between
+/// them they are sampled 60 times a second. Every corner stays within `tolerance` (the scene's units) of its exact
+/// place, except for motions that shear, which no keyframe can represent: error() has the distance. Fails
+/// (ExitStatus::input, message starts with a verb) if a motion leaves the renderer's range.
 Result<FittedAnimation> fit_animation(std::span<const InstanceMotion> motions, double duration,
                                       const std::set<double>& key_times, double tolerance);
 

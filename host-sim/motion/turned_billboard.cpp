@@ -1,4 +1,4 @@
-// Turns billboards in floating point.
+// Rotates billboards in floating point.
 #include "motion/turned_billboard.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ Vector column(const Transform& t, std::size_t c) {
 }
 double length(const Vector& v) { return std::sqrt(scalar_product(v, v)); }
 Vector scaled(const Vector& v, double by) { return {v[0] * by, v[1] * by, v[2] * by}; }
-/// What of `v` is not along the unit vector `axis`.
+/// Returns the part of `v` that is perpendicular to the unit vector `axis`.
 Vector across(const Vector& v, const Vector& axis) {
   const double along = scalar_product(v, axis);
   return {v[0] - along * axis[0], v[1] - along * axis[1], v[2] - along * axis[2]};

@@ -1,4 +1,4 @@
-// Where instances stand before a camera, billboards turned to it, for tools without a renderer.
+// The transforms of instances in front of a camera, with rotated billboards, for tools without a renderer.
 #pragma once
 
 #include "zstrip/camera.hpp"
@@ -6,8 +6,8 @@
 
 namespace zstrip::sim {
 
-/// The instance's transform, or that of a billboard as docs/conventions.md turns it: found in floating point, then
-/// rounded to 16.16. `scene` is valid.
+/// Returns the instance's transform, or that of a billboard as docs/conventions.md rotates it: computed in floating
+/// point, then rounded to 16.16. `scene` must be valid.
 Transform standing(const Scene& scene, const Instance& instance, const Camera& camera);
 
 }  // namespace zstrip::sim
