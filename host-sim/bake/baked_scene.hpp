@@ -1,4 +1,4 @@
-// What is baked: a scene as it stands, the picture that it was placed for, and the plan of that picture.
+// The input of the output formats: a scene at rest, the picture for which it was placed, and the plan of that picture.
 #pragma once
 
 #include <algorithm>
@@ -20,34 +20,34 @@ namespace zstrip::sim {
 
 /// Meshes of the scene that joints move.
 struct BakedSkins {
-  std::span<const ModelSkin> meshes;  ///< empty: nothing bends
-  std::span<const Joint> joints;      ///< of all of them
+  std::span<const ModelSkin> meshes;  ///< empty: no mesh has a skin
+  std::span<const Joint> joints;      ///< of all these meshes
   std::span<const JointPose> rest;
   Animation animation;  ///< of the joints
 
-  /// The mesh as it was modelled, where it is one of these, else null.
+  /// Returns the mesh as it was modelled, or null if no joint moves it.
   const ModelSkin* find(std::size_t mesh) const {
     const auto found = std::ranges::find(meshes, mesh, &ModelSkin::mesh);
     return found == meshes.end() ? nullptr : &*found;
   }
 };
 
-/// Passes validate(); its views must outlive it.
+/// Passes validate(); the data of its views must outlive it.
 struct BakedScene {
-  std::string source;  ///< what it was made of, without folders, for comments
+  std::string source;  ///< name of the source, without folders, for comments
   Scene scene;
   Camera camera;
-  Animation animation;  ///< empty: what `turn` selects moves
+  Animation animation;  ///< empty: `turn` selects the motion
   View view;
-  /// Those that scene and view call for, effect::bins if the plan needs it, the visibility method, one of
+  /// The effects that scene and view need, effect::bins if the plan needs it, the visibility method, one of
   /// effect::perspective_runs or of effect::depth_formats, and effect::unclipped.
   Effects effects;
-  Budget budget;  ///< with the strips of `plan`: the same plan comes out of it again
+  Budget budget;  ///< with the strips of `plan`: planning with it gives the same plan
   Plan plan;
-  BspTree tree{};  ///< with method::bsp
+  BspTree tree{};  ///< for method::bsp
   Turn turn{};
   BakedSkins skins{};
-  std::string unclipped_where{};  ///< with effect::unclipped: the poses for which that was checked, in words
+  std::string unclipped_where{};  ///< with effect::unclipped: the poses that were checked, as text
 };
 
 }  // namespace zstrip::sim

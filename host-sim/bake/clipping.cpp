@@ -23,18 +23,18 @@
 namespace zstrip::sim {
 namespace {
 
-/// What boards show of a turn or an animation (BakedMotion of firmware/boards).
+/// Frames of a rotation or an animation that boards show (BakedMotion of firmware/boards).
 constexpr std::uint32_t kFramesOfBoards = 64;
-/// Angles have 16 bits: a turn has no other poses.
+/// Angles have 16 bits: a rotation has no other poses.
 constexpr std::uint32_t kPosesOfTurn = 65536;
-/// Boxes to check, in about a second.
+/// Boxes that can be checked in about a second.
 constexpr std::uint64_t kMaxChecks = std::uint64_t{1} << 22;
 
 struct Motion {
-  std::uint32_t poses;   ///< it is checked in so many frames
+  std::uint32_t poses;   ///< number of frames to check
   const char* name;      ///< "a turn"
   std::string where;     ///< ClippingRecord::where
-  bool is_part = false;  ///< of a turn, which has poses between
+  bool is_part = false;  ///< the poses are a part of a rotation, which has further poses between them
 };
 
 std::uint32_t affordable(std::uint32_t poses, std::size_t instances) {
@@ -43,7 +43,7 @@ std::uint32_t affordable(std::uint32_t poses, std::size_t instances) {
   return poses;
 }
 
-/// What of the effects cannot be without clipping, and why.
+/// Returns the effect that needs clipping, and why.
 std::optional<std::string> excluded_by(Effects effects) {
   if (effects.methods != 0) return "visibility methods split triangles, or look at boxes of their own";
   for (const EffectName& known : kEffectNames) {
@@ -57,7 +57,7 @@ std::optional<std::string> excluded_by(Effects effects) {
   return {};
 }
 
-/// The corners of an instance's box in the world, 16.16.
+/// Returns the corners of an instance's box in world space, 16.16.
 std::array<std::array<double, 3>, 8> corners_of(const Mesh& mesh, const Transform& transform) {
   const Vec3 &centre = mesh.centre, &half = mesh.half_extent;
   std::array<std::array<double, 3>, 8> corners{};
@@ -72,10 +72,11 @@ std::array<std::array<double, 3>, 8> corners_of(const Mesh& mesh, const Transfor
   return corners;
 }
 
-/// A camera that sees less, by so much as lies between two of `poses` poses of a turn: what passes with it in these
-/// passes in all with the scene's own. A coordinate of what turns is A + R cos(angle), R at most the distance from the
-/// axis, and exceeds those of the poses on both sides by R (1 - cos(pi / poses)). So does the distance of a point from
-/// a side of what may be seen, which is a sum of two of them. Angles and matrices are rounded to 16 bits.
+/// Returns a camera that sees less, by the largest movement between two of `poses` poses of a rotation: if these poses
+/// pass with it, all poses pass with the scene's own camera. A coordinate of a rotating point is A + R cos(angle), with
+/// R at most the distance from the axis, and exceeds those of the poses on both sides by R (1 - cos(pi / poses)). The
+/// same holds for the distance of a point from a side of the view, which is a sum of two coordinates. Angles and
+/// matrices are rounded to 16 bits.
 Camera with_room_between(const BakedScene& baked, std::uint32_t poses) {
   double radius = 0;
   for (const Instance& instance : baked.scene.instances) {
@@ -86,7 +87,7 @@ Camera with_room_between(const BakedScene& baked, std::uint32_t poses) {
   constexpr double kRounding = 1.0 / 16384;
   const double room = radius * (1 - std::cos(std::numbers::pi / poses) + kRounding) + 8;
   Camera camera = baked.camera;
-  // Where a unit in the picture is so many times a thousand pixels; samples double it.
+  // Size of a unit at distance 1, in thousands of pixels; samples double it.
   const double scale = static_cast<double>(camera.focal) / kFixedOne * baked.view.height / 1000;
   const double share =
       camera.projection == Projection::orthographic ? scale * room / kFixedOne : (1 + scale) * room / camera.near_plane;
@@ -97,7 +98,7 @@ Camera with_room_between(const BakedScene& baked, std::uint32_t poses) {
   return camera;
 }
 
-/// What an instance does that was refused: "crosses the near plane".
+/// Describes why an instance was refused: "crosses the near plane".
 std::string crossing(const Scene& scene, const Instance& instance, const Camera& camera) {
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
   for (const auto& corner : corners_of(scene.meshes[instance.mesh], instance.transform)) {
@@ -110,14 +111,14 @@ std::string crossing(const Scene& scene, const Instance& instance, const Camera&
   }
   if (nearest < camera.near_plane) return "crosses the near plane";
   if (farthest > camera.far_plane) return "crosses the far plane";
-  constexpr double kManyTimes = 50;  // those that are refused for it begin near a hundred
+  constexpr double kManyTimes = 50;  // instances that are refused for this have a ratio near a hundred
   if (farthest > kManyTimes * nearest) {
     return fmt::format("has a far side {:.0f} times as far away as its near one", farthest / nearest);
   }
   return "leaves the thousand pixels around the picture's centre";
 }
 
-/// `frame` of `frames` of the motion, moved as boards do.
+/// Frame `frame` of `frames` of the motion, with the movement of boards.
 class MovedScene {
  public:
   MovedScene(const BakedScene& baked, const Camera& camera)
@@ -135,7 +136,7 @@ class MovedScene {
   std::vector<LineSet> lines_;
 };
 
-/// What is found in `frames` frames of the motion: nothing, or why clipping stays.
+/// Checks `frames` frames of the motion. Returns nothing, or the reason why clipping stays.
 template <Effects effects>
 std::optional<std::string> refused_in(const BakedScene& baked, const Motion& motion) {
   const PlanResult planned = plan(count(baked.scene), baked.view, effects);
@@ -144,7 +145,7 @@ std::optional<std::string> refused_in(const BakedScene& baked, const Motion& mot
   const auto renderer = std::make_unique<Renderer<effects>>();
   MovedScene moved(baked, motion.is_part ? with_room_between(baked, motion.poses) : baked.camera);
   if (!moved.can_turn()) return "what turns is too far away for it";
-  // Those of boards first, because a number of 64 says more.
+  // The frames of boards first, because one of 64 frame numbers is easier to find.
   for (const std::uint32_t frames : {std::min(kFramesOfBoards, motion.poses), motion.poses}) {
     for (std::uint32_t frame = 0; frame < frames; ++frame) {
       const auto [scene, camera] = moved.at(frame, frames);

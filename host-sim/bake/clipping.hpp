@@ -1,4 +1,4 @@
-// Whether a baked scene can do without clipping: each pose that its own motion has is begun with a renderer that has
+// Finds out if a baked scene needs no clipping: begins each pose of the scene's own motion with a renderer that has
 // none.
 #pragma once
 
@@ -9,17 +9,17 @@
 
 namespace zstrip::sim {
 
-/// Of a header's kEffects.
+/// The clipping of a header's kEffects.
 struct ClippingRecord {
-  bool left_out = false;    ///< they have effect::unclipped
-  std::uint32_t poses = 0;  ///< that were checked
-  std::string where;        ///< those, if it is left out: "in any pose of a turn"
-  std::string why;          ///< where clipping stays: what in which pose calls for it, or why nothing was checked
+  bool left_out = false;    ///< kEffects has effect::unclipped
+  std::uint32_t poses = 0;  ///< number of poses that were checked
+  std::string where;        ///< if it is left out, the poses: "in any pose of a turn"
+  std::string why;          ///< if clipping stays: the instance and pose that need it, or why nothing was checked
 };
 
-/// Checks the poses of the scene's motion: each millisecond of its animation, or with `turntable` each angle that a
-/// turn has. Fewer where there are many instances, of a turn with room for the poses between.
-/// `baked`: with all effects but this one.
+/// Checks the poses of the scene's motion: each millisecond of its animation, or with `turntable` each angle of a
+/// rotation. With many instances fewer poses are checked, and those of a rotation with room for the poses between them.
+/// `baked`: with all effects except effect::unclipped.
 ClippingRecord find_clipping(const BakedScene& baked, bool turntable);
 
 }  // namespace zstrip::sim

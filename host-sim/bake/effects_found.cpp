@@ -1,4 +1,4 @@
-// Which effects a scene calls for, and what in it calls for each.
+// Lists the effects that a scene needs, and the parts of the scene that need each.
 #include "bake/effects_found.hpp"
 #include "zstrip/effects/exclusions.hpp"
 

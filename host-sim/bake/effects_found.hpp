@@ -1,4 +1,4 @@
-// Which effects a scene calls for, and what in it calls for each.
+// Lists the effects that a scene needs, and the parts of the scene that need each.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace zstrip::sim {
 
-/// Where what calls for effects stands: "room.toml line 12". Empty, or shorter than the scene: not known.
+/// The places in files of the parts that need effects: "room.toml line 12". Empty, or shorter than the scene: not
+/// known.
 struct Origins {
   std::vector<std::string> material_names;
   std::vector<std::string> materials;
@@ -22,13 +23,15 @@ struct Origins {
 
 struct FoundEffect {
   EffectName effect;
-  std::vector<std::string> materials;  ///< those that call for it, in the scene's order; empty: not a material's doing
-  std::string origin;                  ///< of the first of them, or of what else calls for it; may be empty
+  std::vector<std::string> materials;  ///< the materials that need it, in the scene's order; empty: no material needs
+                                       ///< it
+  std::string origin;                  ///< of the first of these materials, or of the other part that needs it; may be
+                                       ///< empty
 };
 
-/// Those of `effects`, which are effects_of(scene, camera), effects_of(view) and perhaps effect::bins. Materials are
-/// those of the instances for which effects_of, called for each alone, finds the effect, so that no rule stands here
-/// twice. Materials without a name are called by their number.
+/// Lists `effects`, which are effects_of(scene, camera), effects_of(view) and perhaps effect::bins. The materials are
+/// those of instances for which effects_of, called for each alone, returns the effect, so that no rule is repeated
+/// here. The text for materials without a name is their number.
 std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, Effects effects,
                                       const Origins& origins);
 

@@ -1,4 +1,4 @@
-// What a scene takes of the flash, by kind, and its skins of the RAM.
+// Computes the flash of a scene, by kind of data, and the RAM of its skins.
 #include "bake/flash_bytes.hpp"
 
 #include <set>
@@ -9,7 +9,7 @@
 namespace zstrip::sim {
 namespace {
 
-// With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
+// With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts these values on such targets.
 constexpr std::uint64_t kSceneBytes = 116, kCameraBytes = 64, kMeshBytes = 80;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a scene takes of the flash, by kind, and its skins of the RAM.
+// Computes the flash of a scene, by kind of data, and the RAM of its skins.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ struct FlashBytes {
   std::uint64_t meshlets = 0;
   std::uint64_t edges = 0;
   std::uint64_t texels = 0;
-  std::uint64_t joints = 0;     ///< and what each moves of a vertex
-  std::uint64_t keyframes = 0;  ///< and tracks
-  std::uint64_t tree = 0;       ///< of method::bsp
+  std::uint64_t joints = 0;     ///< with the joints' weights of each vertex
+  std::uint64_t keyframes = 0;  ///< with tracks
+  std::uint64_t tree = 0;       ///< for method::bsp
   std::uint64_t tables = 0;     ///< meshes, materials, textures, instances, lights, camera
 
   std::uint64_t arrays() const {
@@ -31,15 +31,15 @@ struct FlashBytes {
   std::uint64_t total() const { return arrays() + tables; }
 };
 
-/// The tables of meshes, textures, lines, edges, images, fonts and labels, which hold pointers, with addresses of 32
-/// bits: what a program lends for a blob.
+/// Returns the bytes of the tables that hold pointers (meshes, textures, lines, edges, images, fonts and labels), with
+/// addresses of 32 bits: the memory that a program lends for a blob.
 std::uint64_t table_bytes(const Scene& scene);
 
-/// As constants of a program for a processor with addresses of 32 bits, without what alignment adds.
+/// Returns the flash of constants in a program with addresses of 32 bits, without the gaps of alignment.
 FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree = {},
                        const BakedSkins& skins = {});
 
-/// What skins take of the RAM beside the arena.
+/// The RAM of skins, in addition to the arena.
 struct SkinRam {
   std::uint64_t vertices = 0;  ///< moved positions, normals and meshlets
   std::uint64_t joints = 0;    ///< poses and matrices

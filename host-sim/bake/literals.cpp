@@ -1,4 +1,4 @@
-// Values as C++ writes them; see literals.hpp.
+// Values as C++ literals; see literals.hpp.
 #include "bake/literals.hpp"
 
 #include <utility>
@@ -35,7 +35,7 @@ std::string literal(const Material& m) {
   if (m.texture != kNoTexture) text += fmt::format(", .texture = {}", m.texture);
   const char* const smooth = m.smooth == Shading::pixel ? "zstrip::Shading::pixel" : m.smooth ? "true" : "false";
   text += fmt::format(", .lit = {}, .smooth = {}, .double_sided = {}", m.lit, smooth, m.double_sided);
-  // In the order of the declaration, as C++ wants designators.
+  // In the order of the declaration, as C++ requires for designators.
   if (has_depth_state(m)) {
     text += fmt::format(", .depth_test = zstrip::DepthTest{{{}}}, .depth_write = {}", static_cast<int>(m.depth_test),
                         m.depth_write);
@@ -104,7 +104,7 @@ std::string literal(const Glyph& g) {
                      g.advance);
 }
 std::string literal(const Sprite& s) { return fmt::format("{{{}, {}, {}, {}}}", s.x, s.y, s.image, literal(s.colour)); }
-// Three octal digits, so that no other digit can belong to them.
+// Three octal digits, so that a following digit cannot belong to them.
 std::string quoted(std::span<const char> text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -124,7 +124,7 @@ std::string literal(const Keyframe& k) {
 
 namespace {
 
-/// Shades, and what the picture's settings choose.
+/// Shades, and the effects that the picture's settings choose.
 constexpr std::pair<const char*, Effects> kChosen[] = {
     {"effect::shade_flat", effect::shade_flat},
     {"effect::shade_gouraud", effect::shade_gouraud},

@@ -1,4 +1,4 @@
-// Values as C++ writes them, for headers of constants.
+// Values as C++ literals, for headers of constants.
 #pragma once
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::string literal(const Normal& n);
 std::string literal(const TexCoord& t);
 std::string literal(const Triangle& t);
 std::string literal(std::uint16_t texel);
-/// The member, unless it is as it would be without; so the next two.
+/// Returns an initialiser of the member, empty for the default value; the next two functions, too.
 std::string literal(Billboard billboard);
 std::string outline_literal(std::uint8_t outline);
 std::string literal(ShadowRole role);
@@ -46,7 +46,7 @@ std::string literal(const DirectionalLight& light);
 std::string literal(std::uint8_t byte);
 std::string literal(const Glyph& g);
 std::string literal(const Sprite& s);
-/// In quotes; what is not ASCII in octal digits.
+/// Returns the text in quotes; bytes outside of ASCII become octal digits.
 std::string quoted(std::span<const char> text);
 std::string literal(const Track& track);
 std::string literal(const Keyframe& k);
@@ -57,7 +57,7 @@ std::string literal(const Joint& joint);
 std::string literal(const JointPose& pose);
 const char* turning_name(Turning turning);
 
-/// The definition of an array that is not empty, in lines of a header's width.
+/// Returns the definition of an array that is not empty, in lines of a header's width.
 template <class Record>
 std::string array_definition(const std::string& type, const std::string& name, std::span<const Record> records) {
   constexpr std::size_t kWidth = 118;

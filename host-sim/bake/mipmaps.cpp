@@ -1,4 +1,4 @@
-// Which textures get smaller levels, and the finish that their materials need.
+// Selects the textures that get smaller levels, and adds the finish that their materials need.
 #include "bake/mipmaps.hpp"
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Mipmaps for the textures of a scene that is to be baked.
+// Mipmaps for the textures of a scene to be baked.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 namespace zstrip::sim {
 
-/// Which textures have smaller levels.
+/// Selects the textures with smaller levels.
 enum class MipmapChoice {
-  automatic,  ///< those that the scene selects
-  on,         ///< all that an instance has and that are larger than one texel
+  automatic,  ///< the textures that the scene selects
+  on,         ///< all textures of instances that are larger than one texel
   off,        ///< none
 };
 
-/// A texture with smaller levels that a material with a finish has.
+/// A texture with smaller levels in a material with a finish.
 struct MipmapRecord {
   std::size_t texture = 0;  ///< its index
-  unsigned levels = 0;      ///< the smaller ones
-  std::uint64_t bytes = 0;  ///< of these
+  unsigned levels = 0;      ///< number of smaller levels
+  std::uint64_t bytes = 0;  ///< of these levels
 };
 
-/// A scene whose textures have the levels of a choice. With `on`, materials of instances get a finish if they have
-/// none; where the table of finishes is full, nothing changes. Refers to the arrays of the scene that it was made of.
+/// A scene whose textures have the levels of a choice. With `on`, materials of instances without a finish get one; if
+/// the table of finishes is full, they do not change. Refers to the arrays of the original scene.
 class MipmappedScene {
  public:
   MipmappedScene(const Scene& scene, MipmapChoice choice);
@@ -43,7 +43,7 @@ class MipmappedScene {
   std::deque<std::vector<std::uint16_t>> words_;
 };
 
-/// Of all textures that are drawn with mipmaps.
+/// Returns the records of all textures that are drawn with mipmaps.
 std::vector<MipmapRecord> mipmap_records(const Scene& scene);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Which textures get a palette, and the finish that their materials need.
+// Selects the textures that get a palette, and adds the finish that their materials need.
 #include "bake/palettes.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// The formats that are tried, in this order, and whether they may lose something.
+/// The formats that are tried, in this order, and if each may change colours.
 struct Candidate {
   TextureFormat format;
   bool lossy;

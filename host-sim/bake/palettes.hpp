@@ -1,4 +1,4 @@
-// Palettes for the textures of a scene that is to be baked.
+// Palettes for the textures of a scene to be baked.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace zstrip::sim {
 
-/// What becomes of textures of RGB565, where it takes fewer bytes.
+/// The conversion of RGB565 textures, applied if it takes fewer bytes.
 enum class TextureChoice {
-  rgb565,     ///< they stay
-  automatic,  ///< a palette if it loses nothing
-  palette8,   ///< one of 16 colours if it loses nothing, else one of 256
-  palette4,   ///< one of 16 colours
+  rgb565,     ///< no conversion
+  automatic,  ///< a palette if it is lossless
+  palette8,   ///< 16 colours if that is lossless, else 256
+  palette4,   ///< 16 colours
 };
 
-/// A texture that has got a palette.
+/// A texture that was converted to a palette.
 struct PaletteRecord {
   std::size_t texture = 0;  ///< its index
   TextureFormat format{};
@@ -26,9 +26,9 @@ struct PaletteRecord {
   TexelErrors errors;
 };
 
-/// A scene whose textures have the palettes of a choice. Textures with alpha, those of quadrics and those without
-/// instances stay. Materials whose texture has got a palette get a finish if they have none; where the table of
-/// finishes is full, nothing changes. Refers to the arrays of the scene that it was made of.
+/// A scene whose textures have the palettes of a choice. Textures with alpha, textures of quadrics and textures without
+/// instances do not change. Materials whose texture gets a palette get a finish if they have none; if the table of
+/// finishes is full, they do not change. Refers to the arrays of the original scene.
 class PalettedScene {
  public:
   PalettedScene(const Scene& scene, TextureChoice choice);
@@ -37,7 +37,7 @@ class PalettedScene {
 
   const Scene& scene() const { return scene_; }
   const std::vector<PaletteRecord>& records() const { return records_; }
-  /// By the textures.
+  /// Returns the bytes that the palettes save.
   std::uint64_t saved_bytes() const;
 
  private:

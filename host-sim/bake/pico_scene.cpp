@@ -1,4 +1,4 @@
-// Puts the scene where firmware/boards/pico/show_baked.cpp looks for it, and knows what that program has for it.
+// Puts the scene where firmware/boards/pico/show_baked.cpp looks for it, and knows the memory of that program.
 #include "bake/pico_scene.hpp"
 
 #include <fmt/format.h>
@@ -74,8 +74,8 @@ Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blo
 }
 
 std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn) {
-  // As zstrip::Player takes it; each piece begins at a multiple of kArenaAlignment.
-  constexpr std::uint64_t kPieces = 8, kLineSet = 64;  // which has a pointer: 64 bytes on the board
+  // As zstrip::Player allocates it; each piece begins at a multiple of kArenaAlignment.
+  constexpr std::uint64_t kPieces = 8, kLineSet = 64;  // a LineSet has a pointer: 64 bytes on the board
   std::uint64_t kept = table_bytes(scene) + kPieces * kArenaAlignment;
   if (!animation.tracks.empty() || turn.what == Turning::instances || turn.what == Turning::instances_and_lines) {
     kept += scene.instances.size() * sizeof(Instance);

@@ -16,23 +16,24 @@
 
 namespace zstrip::sim {
 
-/// A program that shows baked scenes of this version; of a file of the option --with.
+/// Reads a program that shows baked scenes of this version, from the file of the option --with.
 Result<pico::Pages> read_pico_program(const std::string& path, const pico::Board& board);
 
-/// The board whose player a program is, of the chip of `board`; that one where the program does not say.
+/// Returns the board for whose player the program was built, with the chip of `board`; `board` if the program does not
+/// say.
 const pico::Board& board_of(const pico::Pages& program, const pico::Board& board);
 
-/// `program`: none of it may be left out. Fails where the scene is too large for its part of the flash.
+/// `program`: must be complete. Fails if the scene is too large for its part of the flash.
 Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blob, const pico::Pages& program,
                                                const pico::Board& board);
 
-/// Bytes that the program keeps of this scene beside the arena and two strips: tables, and what moves.
+/// Returns the bytes that the program keeps of this scene besides the arena and two strips: tables, and moving parts.
 std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn);
 
-/// Fails for a picture that is not of the size and the pixels of the program's panel.
+/// Fails if size or format of the picture are not those of the program's panel.
 Result<Done> check_view_for_pico(const View& view);
 
-/// Fails for what the program does not draw.
+/// Fails for effects that the program does not draw.
 Result<Done> check_for_pico(Effects effects);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// The finish without anything that materials need for a texture of some kinds.
+// The default finish, for materials that need one because of the format of their texture.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace zstrip::sim {
 
-/// Gives it to those of `materials` that have none and whose texture `needs_finish` names, and adds it to `finishes` if
-/// there are such; there must be room for one more.
+/// Gives the default finish to those of `materials` that have none and whose texture `needs_finish` selects. Adds it to
+/// `finishes` if there are such materials; there must be room for one more.
 template <class NeedsFinish>
 void add_plain_finish(std::span<Material> materials, std::span<const Texture> textures, std::vector<Finish>& finishes,
                       const NeedsFinish& needs_finish) {

@@ -1,4 +1,4 @@
-// Programs that show a baked scene by zstrip::Player. What is a constant of the header is named, not repeated.
+// Text of programs that show a baked scene with zstrip::Player. It refers to constants of the header, and repeats none.
 #include "bake/program_text.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Panel = hal::St7789Controller;
 
-/// With @ for the header's namespace.
+/// Replaces each @ by the header's namespace.
 std::string with_namespace(std::string text, const std::string& name_space) {
   for (std::size_t at = 0; (at = text.find('@', at)) != std::string::npos;) {
     text.replace(at, 1, name_space);
@@ -34,7 +34,7 @@ std::string first_line(const BakedScene& baked) {
                      format_words(baked.view));
 }
 
-/// The scene's memory.
+/// The memory of the scene's player.
 constexpr std::string_view kPlayer =
     R"(constexpr zstrip::FitOptions kOptions{.strip_buffers = @::kBudget.strip_buffers > 1 ? 2 : 1,
                                       .split_columns = @::kBudget.split_columns,
@@ -42,7 +42,7 @@ constexpr std::string_view kPlayer =
 // The arena and the strips of the header's plan, which --ram makes smaller, what moves, and the gaps between.
 std::byte memory[@::kPlan.bytes() + kOptions.strip_buffers * @::kPlan.strip_pixel_bytes(@::kView) +
                  @::kScene.instances.size_bytes() + @::kScene.lines.size_bytes())";
-/// Of what is over the picture, with room for a text of the player's.
+/// Memory for the tables of the overlay, with room for a text of the player's.
 constexpr std::string_view kOverlayTables =
     R"( +
                  (@::kOverlay.fonts.size() + 1) * sizeof(zstrip::Font) +
@@ -54,7 +54,7 @@ std::string player(const BakedScene& baked) {
   return text + " + 96];\nzstrip::Player player(memory, zstrip::drawn_with<@::kEffects>);\n";
 }
 
-/// The module with that glass, if there is one.
+/// Returns the module with a glass of this size, or null.
 const PanelModule* module_of(std::uint16_t width, std::uint16_t height) {
   const auto is_panel = [](const PanelKind& kind) { return std::string_view(kind.name) == "st7789"; };
   for (const PanelModule& module : std::ranges::find_if(panel_kinds(), is_panel)->modules) {
@@ -63,13 +63,13 @@ const PanelModule* module_of(std::uint16_t width, std::uint16_t height) {
   return nullptr;
 }
 
-/// The panel turned, where the picture is wider than it, or is that of a module on its side.
+/// True if the panel is rotated: the picture is wider than the panel, or has the size of a module on its side.
 bool lies_sideways(const View& view) {
   return view.width > Panel::kColumns ||
          (module_of(view.width, view.height) == nullptr && module_of(view.height, view.width) != nullptr);
 }
 
-/// The driver's configuration of the panel, as it lies.
+/// Returns the driver's configuration of the panel in this orientation.
 std::string panel_config(const View& view) {
   const bool sideways = lies_sideways(view);
   const std::uint16_t width = sideways ? view.height : view.width, height = sideways ? view.width : view.height;
@@ -85,7 +85,7 @@ std::string panel_config(const View& view) {
   return "{" + config + " .inverted = true}";
 }
 
-/// In brackets where CMake would read it as something else.
+/// Returns the file's name, in brackets if CMake would otherwise read it differently.
 std::string cmake_argument(const std::string& file) {
   const bool plain = std::ranges::all_of(file, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
@@ -94,7 +94,7 @@ std::string cmake_argument(const std::string& file) {
   return plain ? file : "[[" + printable(file) + "]]";
 }
 
-/// `names`: what the text has beside the header's namespace.
+/// `names`: the names that the text defines besides the header's namespace.
 Result<Done> check(const BakedScene& baked, const std::string& name_space, std::initializer_list<const char*> names) {
   if (std::ranges::find(names, name_space) != names.end()) {
     return Failure{ExitStatus::usage,
@@ -122,7 +122,7 @@ Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_s
                                                   "most; choose its size, as 240x240",
                                                   view.width, view.height, Panel::kColumns, Panel::kRows)};
   }
-  // Words of RGB565 come as its bytes, the high one first.
+  // RGB565 is sent as bytes, the high one first.
   if (view.format != PixelFormat::rgb565 && Panel::pixel_format(static_cast<hal::PixelFormat>(view.format)) == 0) {
     return Failure{ExitStatus::usage,
                    fmt::format("--format {}: a sketch is for an ST7789, which takes rgb565_swapped, rgb666 or rgb444",
@@ -138,7 +138,7 @@ Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_s
 }
 
 std::string to_sketch(const BakedScene& baked, const std::string& name_space) {
-  // Before fit(), too, which counts what the skin has.
+  // Before fit(), which counts the vertices of the skin.
   const std::string pose =
       bends(baked) ? "  if (!@::pose_skins(player.time())) Serial.println(\"the skin is not posed\");\n" : "";
   std::string text = R"( A sketch for Arduino with an ST7789, written by `zstrip bake`.

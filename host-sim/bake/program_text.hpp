@@ -1,4 +1,4 @@
-// Programs that show a baked scene by zstrip::Player: a sketch for Arduino, a source for CMake. Both include the
+// Programs that show a baked scene with zstrip::Player: a sketch for Arduino, a source for CMake. Both include the
 // scene's header by the name scene.hpp.
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace zstrip::sim {
 
-/// ExitStatus::usage for what a player does not draw, a method of visibility, and for a namespace with a name of the
-/// program's own.
+/// Returns ExitStatus::usage for scenes that a player does not draw (with a visibility method), and for a namespace
+/// with a name that the program uses itself.
 Result<Done> check_for_program(const BakedScene& baked, const std::string& name_space);
-/// The same of a sketch, and for a picture that no ST7789 shows.
+/// Checks the same for a sketch, and refuses pictures that no ST7789 can show.
 Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_space);
 
-/// Of the header with that namespace. The same scene always gives the same text.
+/// `name_space`: that of the header. The same scene always gives the same text.
 std::string to_sketch(const BakedScene& baked, const std::string& name_space);
-/// `file`: its name, which its CMakeLists.txt has.
+/// `file`: its name, which is used in its CMakeLists.txt.
 std::string to_program(const BakedScene& baked, const std::string& name_space, const std::string& file);
 
 }  // namespace zstrip::sim

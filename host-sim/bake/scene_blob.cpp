@@ -1,4 +1,4 @@
-// Writes a scene as a blob, value by value: no padding of a structure ever gets into a file.
+// Writes a scene as a blob, value by value, so that padding of structures never gets into a file.
 #include "bake/scene_blob.hpp"
 
 #include <zlib.h>
@@ -251,7 +251,7 @@ class Writer {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Writes the sections and remembers where each of them is, as blob_layout::for_each_section calls it.
+/// Writes the sections that blob_layout::for_each_section passes, and records the position of each.
 class SectionWriter {
  public:
   template <class Record>
@@ -271,7 +271,7 @@ class SectionWriter {
     (*this)(tag, record);
   }
 
-  /// The whole blob.
+  /// Returns the complete blob.
   Result<std::vector<std::uint8_t>> blob() const {
     const std::size_t head = sizeof(blob_layout::Header) + table_.size() * sizeof(blob_layout::Section);
     const std::vector<std::uint8_t>& content = content_.bytes();
@@ -306,24 +306,24 @@ class SectionWriter {
   std::vector<Entry> table_;
 };
 
-/// The records of one kind, those of one array after those of another.
+/// The records of one kind, array after array.
 template <class Record>
 class Pool {
  public:
   blob_layout::Range add(std::span<const Record> records) {
     if (records.empty()) return {0, 0};
     const auto [known, is_new] = arrays_.try_emplace({records.data(), records.size()}, records_.size());
-    if (is_new) records_.insert(records_.end(), records.begin(), records.end());  // meshes of other sizes share theirs
+    if (is_new) records_.insert(records_.end(), records.begin(), records.end());  // scaled meshes share arrays
     return {static_cast<std::uint32_t>(known->second), static_cast<std::uint32_t>(records.size())};
   }
   std::span<const Record> all() const { return records_; }
 
  private:
   std::vector<Record> records_;
-  std::map<std::pair<const void*, std::size_t>, std::size_t> arrays_;  ///< where those begin that are there
+  std::map<std::pair<const void*, std::size_t>, std::size_t> arrays_;  ///< start of each array that was added
 };
 
-/// What `records` looks at.
+/// The arrays that `records` refers to.
 struct Pools {
   Pool<Position> positions;
   Pool<Normal> normals;
@@ -441,7 +441,7 @@ struct Pools {
   }
 };
 
-/// Of one of kPictureEffects.
+/// Returns the number of one of kPictureEffects.
 std::uint8_t number_of(Effects effects) {
   return static_cast<std::uint8_t>(std::ranges::find(kPictureEffects, effects) - std::begin(kPictureEffects));
 }
@@ -450,7 +450,7 @@ std::uint8_t number_of(Effects effects) {
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   SceneBlob written = content;
-  // What an animation moves does not turn.
+  // Animated instances do not rotate.
   const bool is_animated = !content.animation.tracks.empty();
   if (is_animated) written.turning_camera = nullptr;
   const Pools pools(content.scene);

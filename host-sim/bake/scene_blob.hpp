@@ -9,7 +9,7 @@
 
 namespace zstrip::sim {
 
-/// The same scene, camera and view always give the same bytes. Fails only beyond 4 GB.
+/// Equal scenes, cameras and views give equal bytes. Fails only above 4 GB.
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content);
 
 }  // namespace zstrip::sim

@@ -19,11 +19,11 @@
 namespace zstrip::sim {
 namespace {
 
-/// Vertices of a skin that the compiler checks: with more, Clang gives up at its limit of steps. The import has checked
-/// them all.
+/// Number of a skin's vertices up to which the compiler checks them: with more, Clang reaches its limit of steps. The
+/// import has checked all of them.
 constexpr std::size_t kMaxChecked = 8192;
 
-/// Builds the text; keeps the names that are used.
+/// Builds the text, and keeps the names that are in use.
 class Header {
  public:
   explicit Header(const BakedScene& baked) : baked_(baked), scene_(baked.scene), skins_(baked.skins) {}
@@ -60,7 +60,7 @@ class Header {
 
   bool bends() const { return !skins_.meshes.empty(); }
   bool is_unclipped() const { return baked_.effects.has(effect::unclipped); }
-  /// Whether a FixedRenderer draws it.
+  /// True if a FixedRenderer draws the scene.
   bool is_fixed() const {
     return baked_.effects.methods == 0 && !baked_.effects.any(effect::depth_ranges | effect::supersampled);
   }
@@ -129,7 +129,7 @@ class Header {
     line("// Here they are animated: zstrip::pose(kAnimation, milliseconds, instances) changes them, each frame.");
   }
 
-  /// An array of these records, or nothing; gives the expression that names it.
+  /// Writes an array of these records unless it is empty; returns the expression that refers to it.
   template <class Record>
   std::string array(const std::string& type, const std::string& name, std::span<const Record> records) {
     if (records.empty()) return "{}";
@@ -213,7 +213,7 @@ class Header {
         fmt::arg("pad", "                                      ")));
   }
 
-  /// The mesh table, and what moves some of it.
+  /// Writes the mesh table, and the skins of its meshes.
   void skins() {
     line(
         fmt::format("\n/// The meshes as they were modelled, and what moves some of them.\n"
@@ -262,7 +262,7 @@ class Header {
     line(fmt::format(
         "inline constexpr zstrip::Animation kJointAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};", tracks,
         keyframes, skins_.animation.duration));
-    // What JointPose has by default is not all zeros, and would take as much flash again.
+    // The defaults of JointPose are not all zeros, so that they would take the same amount of flash again.
     std::string zeros;
     for (std::size_t i = 0; i < skins_.joints.size(); ++i) {
       constexpr std::size_t kInALine = 8;
@@ -458,7 +458,7 @@ class Header {
   const Scene& scene_;
   const BakedSkins& skins_;
   std::string text_, meshes_, textures_;
-  std::map<std::pair<const void*, std::size_t>, std::string> arrays_;  ///< names of those that stand there
+  std::map<std::pair<const void*, std::size_t>, std::string> arrays_;  ///< names of the arrays that were written
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Block by block; what the boot loader would skip or refuse is an error.
+// Reads block by block; a block that the boot loader would skip or refuse is an error.
 #include "bake/uf2_file.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Of a block.
+/// Returns a word of a block.
 std::uint32_t word(std::span<const std::uint8_t> block, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(block[at + i]) << (8 * i);

@@ -1,4 +1,4 @@
-// Reads programs for the Pico from .uf2 files, which may hold anything.
+// Reads programs for the Pico from .uf2 files with any contents.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace zstrip::sim {
 
-/// The pages that the blocks fill. All of the file is checked: each block, that all are there, in order and for the
-/// board's chip, and that none fills what another one does. The failure's message continues "'FILE' ...".
+/// Returns the pages that the blocks fill. Checks the whole file: each block, that all blocks exist, are in order and
+/// for the board's chip, and that none overlaps another one. The failure's message continues "'FILE' ...".
 Result<pico::Pages> read_uf2(std::span<const std::uint8_t> file, const pico::Board& board);
 
 }  // namespace zstrip::sim
