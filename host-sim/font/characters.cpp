@@ -1,4 +1,4 @@
-// Which characters a font is to have; see characters.hpp.
+// Parses the set of characters of a font; see characters.hpp.
 #include "font/characters.hpp"
 
 #include <fmt/format.h>

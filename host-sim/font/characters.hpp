@@ -1,4 +1,4 @@
-// Which characters a font is to have, as people write it: "A-Za-z0-9" and what else.
+// Parses the set of characters of a font as the user writes it, such as "A-Za-z0-9".
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace zstrip::sim {
 
-/// Code points, ascending, each once. A '-' between two characters is all from the one to the other, elsewhere itself.
-/// The failure's message continues "--characters ...".
+/// Returns code points, ascending, each once. A '-' between two characters is the range between them, and a '-' at
+/// other places is the character itself. The failure's message continues "--characters ...".
 Result<std::vector<std::uint32_t>> parse_characters(const std::string& text);
 
-/// Of text in UTF-8; empty where a byte begins no character.
+/// Returns the code points of text in UTF-8; empty if a byte begins no character.
 std::vector<std::uint32_t> code_points_of(const std::string& text);
 
-/// As it is written in messages: "U+00C4".
+/// Returns the name for messages: "U+00C4".
 std::string name_of_character(std::uint32_t code_point);
 
 }  // namespace zstrip::sim

@@ -23,7 +23,7 @@ struct EndFreeType {
 template <class Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, EndFreeType>;
 
-/// 26.6 to whole pixels, upwards.
+/// Rounds 26.6 up to whole pixels.
 long rounded_up(FT_Pos value) { return (value + 63) >> 6; }
 
 class Converter {
@@ -86,7 +86,7 @@ class Converter {
       return Done{};
     }
     const bool mono = request_.bits == 1;
-    // Outlines alone: a bitmap that the font brings may have other bits a pixel.
+    // Only outlines are used: bitmaps in the font may have another number of bits a pixel.
     const int load = FT_LOAD_NO_BITMAP | (mono ? FT_LOAD_TARGET_MONO : FT_LOAD_TARGET_NORMAL);
     if (FT_Load_Glyph(face_.get(), index, load) != 0 ||
         FT_Render_Glyph(face_->glyph, mono ? FT_RENDER_MODE_MONO : FT_RENDER_MODE_NORMAL) != 0) {
@@ -114,7 +114,7 @@ class Converter {
     for (unsigned y = 0; y < bitmap.rows; ++y) append_row(bitmap, y);
     const auto own = converted_.coverage.begin() + static_cast<std::ptrdiff_t>(first);
     if (std::all_of(own, converted_.coverage.end(), [](std::uint8_t byte) { return byte == 0; })) {
-      // FreeType gives a space a pixel.
+      // FreeType gives a space one pixel.
       Glyph& glyph = converted_.glyphs.back();
       glyph.width = glyph.height = 0;
       glyph.left = glyph.top = 0;
@@ -137,7 +137,7 @@ class Converter {
   }
 
   const FontRequest& request_;
-  std::vector<std::uint8_t> bytes_;  // outlive the face
+  std::vector<std::uint8_t> bytes_;  // must outlive the face
   Owned<FT_Library> library_;
   Owned<FT_Face> face_;
   ConvertedFont converted_;

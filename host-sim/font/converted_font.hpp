@@ -1,4 +1,4 @@
-// A font with outlines (TrueType, OpenType), converted to glyphs of pixels by FreeType.
+// Converts a font with outlines (TrueType, OpenType) to glyphs of pixels, with FreeType.
 #pragma once
 
 #include <cstddef>
@@ -17,20 +17,20 @@ inline constexpr std::uint32_t kMinFontSize = 4, kMaxFontSize = 200;
 
 struct FontRequest {
   std::filesystem::path file;
-  std::uint32_t size = 16;                   ///< pixels of the em square, kMinFontSize..kMaxFontSize
-  std::uint8_t bits = 4;                     ///< of a pixel's coverage: 1, 4 or 8
+  std::uint32_t size = 16;                   ///< side of the em square in pixels, kMinFontSize..kMaxFontSize
+  std::uint8_t bits = 4;                     ///< coverage bits of a pixel: 1, 4 or 8
   std::vector<std::uint32_t> characters;     ///< ascending
-  std::optional<std::uint32_t> replacement;  ///< for what is missing; none: U+FFFD, if the file has it
+  std::optional<std::uint32_t> replacement;  ///< shown for missing characters; none: U+FFFD, if the file has it
 };
 
 struct ConvertedFont {
   std::vector<Glyph> glyphs;
   std::vector<std::uint8_t> coverage;
-  Font font;                           ///< passes the checks; views `glyphs` and `coverage`
+  Font font;                           ///< passes the checks; refers to `glyphs` and `coverage`
   std::vector<std::uint32_t> missing;  ///< characters that the file does not have
 
   ConvertedFont() = default;
-  ConvertedFont(ConvertedFont&&) = default;  ///< memory that is viewed stays where it is
+  ConvertedFont(ConvertedFont&&) = default;  ///< memory that is referred to does not move
   ConvertedFont& operator=(ConvertedFont&&) = default;
 };
 

@@ -7,7 +7,7 @@
 
 namespace zstrip::sim {
 
-/// `source`: what it was made of, for a comment.
+/// `source`: name of the source, for a comment.
 std::string to_font_header(const Font& font, const std::string& source, const std::string& name_space);
 
 }  // namespace zstrip::sim
