@@ -1,5 +1,5 @@
-// Puts the compressed pixels of PNG files into one: what libspng has made stays as it is. The chunks acTL, fcTL and
-// fdAT are those of the PNG specification, third edition, 11.3.4.
+// Copies the compressed pixels of PNG files into one file, as libspng wrote them. The chunks acTL, fcTL and fdAT are
+// those of the PNG specification, third edition, 11.3.4.
 #include "image/animated_png.hpp"
 
 #include <zlib.h>
@@ -36,7 +36,7 @@ void put_chunk(Bytes& to, std::string_view type, std::span<const std::uint8_t> c
   put(to, static_cast<std::uint32_t>(crc32_z(0, to.data() + checked, to.size() - checked)), 4);
 }
 
-/// Calls see(type, content) for each chunk of a whole PNG file.
+/// Calls see(type, content) for each chunk of a complete PNG file.
 template <typename See>
 void for_each_chunk(std::span<const std::uint8_t> png, See see) {
   for (std::size_t at = kSignature; at + kChunkHead + kChunkCheck <= png.size();) {
@@ -49,11 +49,11 @@ void for_each_chunk(std::span<const std::uint8_t> png, See see) {
 Bytes animation_control(std::uint32_t frames) {
   Bytes content;
   put(content, frames, 4);
-  put(content, 0, 4);  // plays: for ever
+  put(content, 0, 4);  // number of plays: unlimited
   return content;
 }
 
-/// `size`: width and height as IHDR has them.
+/// `size`: width and height as in IHDR.
 Bytes frame_control(std::uint32_t number, std::span<const std::uint8_t> size, std::uint64_t milliseconds) {
   Bytes content;
   put(content, number, 4);
@@ -61,9 +61,9 @@ Bytes frame_control(std::uint32_t number, std::span<const std::uint8_t> size, st
   put(content, 0, 4);  // x
   put(content, 0, 4);  // y
   put(content, static_cast<std::uint32_t>(std::min(milliseconds, kMaxDelay)), 2);
-  put(content, 1000, 2);  // of a second
-  put(content, 0, 1);     // stays until the next one
-  put(content, 0, 1);     // replaces what was there
+  put(content, 1000, 2);  // denominator of the delay, in seconds
+  put(content, 0, 1);     // keep the frame until the next one
+  put(content, 0, 1);     // replace the former pixels
   return content;
 }
 

@@ -7,8 +7,8 @@
 
 namespace zstrip::sim {
 
-/// Plays the frames for ever, all of them once in `milliseconds`. `frames`: at least one; PNG files of encode(), all of
-/// one size and format. Programs that know no APNG show the first.
+/// Repeats the frames without end, all of them once in `milliseconds`. `frames`: at least one; PNG files of encode(),
+/// all of one size and format. Programs without APNG show the first one.
 std::vector<std::uint8_t> animated_png(std::span<const std::vector<std::uint8_t>> frames, std::uint32_t milliseconds);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Reads pictures, told apart by their first bytes; here PNG (libspng) and JPEG (libjpeg-turbo).
+// Reads pictures, distinguished by their first bytes; this file reads PNG (libspng) and JPEG (libjpeg-turbo).
 #include "image/decode.hpp"
 
 #include <fmt/format.h>
@@ -20,14 +20,14 @@ namespace {
 constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::array<std::uint8_t, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
 
-/// Of a side, by the format.
+/// Limit of the format.
 constexpr std::uint32_t kMaxSideOfPng = 0x7FFFFFFF;
 
 bool starts_with(std::span<const std::uint8_t> file, std::span<const std::uint8_t> signature) {
   return file.size() >= signature.size() && std::equal(signature.begin(), signature.end(), file.begin());
 }
 
-/// Whether the file has transparent pixels.
+/// True if the file has transparent pixels.
 bool has_alpha(spng_ctx& png, const spng_ihdr& header) {
   spng_trns key{};
   return header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA || header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||

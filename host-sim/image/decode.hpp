@@ -1,4 +1,4 @@
-// Reads PNG, JPEG, WebP, BMP and TGA, told apart by their first bytes.
+// Reads PNG, JPEG, WebP, BMP and TGA, distinguished by their first bytes.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace zstrip::sim {
 
-/// What is read at most; a hostile file must not take gigabytes, nor minutes.
+/// Limits of pictures: a hostile file must not take gigabytes or minutes.
 inline constexpr std::uint32_t kMaxImageSide = 16384, kMaxImagePixels = 8192 * 8192;
 
-/// Fails where a picture is too large to be read. The message starts with a verb.
+/// Fails if a picture is too large to be read. The message starts with a verb.
 Result<Done> check_image_size(std::uint32_t width, std::uint32_t height);
 
-/// A damaged or truncated file is a failure whose message starts with a verb ("is not a whole PNG picture ...").
+/// Fails for a damaged or truncated file, with a message that starts with a verb ("is not a whole PNG picture ...").
 Result<RgbImage> decode_image(std::span<const std::uint8_t> file);
 
 }  // namespace zstrip::sim

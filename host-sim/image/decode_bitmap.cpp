@@ -1,5 +1,4 @@
-// Reads BMP and TGA (stb_image), and nothing else of what stb_image reads: what stands in the first bytes decides
-// before.
+// Reads BMP and TGA (stb_image). The caller has checked the first bytes, so that no other format of stb_image is read.
 #include <stb_image.h>
 
 #include <algorithm>
@@ -13,13 +12,13 @@
 namespace zstrip::sim {
 namespace {
 
-/// Where the pixels of a whole TGA file end.
+/// Returns the end of the pixels in a complete TGA file.
 std::uint64_t end_of_targa(std::span<const std::uint8_t> file, std::uint64_t pixels) {
   const std::uint64_t bytes_of_pixel = (file[16] + 7U) / 8;
   const std::uint64_t colours = file[1] == 0 ? 0 : file[5] | static_cast<std::uint64_t>(file[6]) << 8;
   std::uint64_t at = 18U + file[0] + colours * ((file[7] + 7U) / 8);
   if (file[2] <= 8) return at + pixels * bytes_of_pixel;
-  // Runs: a length, then one pixel or as many.
+  // Each run is a length, then one pixel or as many pixels.
   while (pixels != 0 && at < file.size()) {
     const std::uint64_t length = (file[at] & 0x7FU) + 1;
     at += 1 + ((file[at] & 0x80) != 0 ? 1 : length) * bytes_of_pixel;
@@ -28,11 +27,11 @@ std::uint64_t end_of_targa(std::span<const std::uint8_t> file, std::uint64_t pix
   return pixels == 0 ? at : file.size() + 1;
 }
 
-/// What a whole file has at least: stb_image reads what it finds beyond the end of one that is cut off.
+/// Returns the least size of a complete file: stb_image reads beyond the end of a truncated one.
 std::uint64_t least_bytes(std::span<const std::uint8_t> file, std::uint64_t columns, std::uint64_t rows) {
   if (!is_bitmap(file)) return end_of_targa(file, columns * rows);
   const auto word = [&](std::size_t at) { return file[at] | static_cast<std::uint32_t>(file[at + 1]) << 8; };
-  const bool is_old = word(14) == 12;  // OS/2's header
+  const bool is_old = word(14) == 12;  // header of OS/2
   const std::uint64_t bits = file.size() < 30 || is_old ? word(24) : word(28);
   return (word(10) | static_cast<std::uint64_t>(word(12)) << 16) + (columns * bits + 31) / 32 * 4 * rows;
 }
@@ -55,7 +54,7 @@ Result<RgbImage> decode_bitmap_or_targa(std::span<const std::uint8_t> file, cons
   if (stbi_info_from_memory(file.data(), size, &width, &height, &channels) == 0) {
     return damaged_picture(kind, "its header is damaged");
   }
-  if (height < 0 && height > std::numeric_limits<int>::min()) height = -height;  // a BMP from the top down
+  if (height < 0 && height > std::numeric_limits<int>::min()) height = -height;  // a BMP whose first row is the top one
   if (width < 1 || height < 1) return damaged_picture(kind, "it has no pixels");
   const auto columns = static_cast<std::uint32_t>(width), rows = static_cast<std::uint32_t>(height);
   if (const Result<Done> done = check_image_size(columns, rows); !done) return done.failure();

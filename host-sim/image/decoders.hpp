@@ -1,4 +1,4 @@
-// Decoders of single formats, which decode_image chooses from.
+// Decoders of single formats, called by decode_image.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@ namespace zstrip::sim {
 
 Failure damaged_picture(const char* kind, const char* reason);
 
-/// Of four bytes a pixel; without alpha where no pixel has any.
+/// Converts four bytes a pixel; the result has no alpha if all pixels are opaque.
 RgbImage split_alpha(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba);
 
 bool is_webp(std::span<const std::uint8_t> file);
-/// By libwebp; the first frame of an animation is no picture.
+/// Decodes with libwebp. Fails for animations.
 Result<RgbImage> decode_webp(std::span<const std::uint8_t> file);
 
 bool is_bitmap(std::span<const std::uint8_t> file);
-/// TGA has no signature: whether the header is one that is possible.
+/// True if the header can be that of a TGA file: TGA has no signature.
 bool is_targa(std::span<const std::uint8_t> file);
-/// BMP and TGA by stb_image. `kind`: for messages.
+/// Decodes BMP and TGA with stb_image. `kind`: for messages.
 Result<RgbImage> decode_bitmap_or_targa(std::span<const std::uint8_t> file, const char* kind);
 
 }  // namespace zstrip::sim

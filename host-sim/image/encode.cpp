@@ -1,4 +1,4 @@
-// Turns the renderer's pixels into picture files.
+// Converts the renderer's pixels to picture files.
 #include "image/encode.hpp"
 
 #include <fmt/format.h>

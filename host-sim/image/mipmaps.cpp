@@ -1,4 +1,4 @@
-// Sums of whole numbers, halved level by level, so that nothing is rounded twice.
+// Sums of integers, halved level by level, so that each value is rounded only once.
 #include "image/mipmaps.hpp"
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 namespace zstrip::sim {
 namespace {
 
-/// Of the texels that a texel of a smaller level stands for.
+/// The sum of the texels that a texel of a smaller level represents.
 struct Sum {
-  std::array<std::uint64_t, 3> channels{}, weighted{};  ///< in levels of RGB565; times alpha
+  std::array<std::uint64_t, 3> channels{}, weighted{};  ///< in steps of RGB565; `weighted` is multiplied by alpha
   std::uint64_t alpha = 0, texels = 0;
 
   void operator+=(const Sum& other) {
@@ -45,7 +45,7 @@ struct Level {
   }
 };
 
-/// The texture as it is.
+/// Reads the texture's texels as they are.
 class Decoder {
  public:
   explicit Decoder(const Texture& texture)

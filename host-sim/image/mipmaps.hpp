@@ -1,4 +1,4 @@
-// The smaller levels of a texture: means of its texels.
+// Computes the smaller levels of a texture: means of its texels.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace zstrip::sim {
 
-/// Levels below the first, down to one texel.
+/// Returns the number of levels below the first, down to one texel.
 std::uint8_t most_smaller_levels(const Texture& texture);
 
-/// Words of `texture` with so many smaller levels; those that it has already are not looked at. A texel is the mean of
-/// all texels of the first level that it stands for, of the channels as they are (without gamma, as light and filters
-/// take them), rounded to nearest; with alpha weighted by it, and its alpha the mean of theirs; with a palette the
-/// entry that is nearest to the mean. The same texels give the same words everywhere.
+/// Returns the words of `texture` with so many smaller levels; existing smaller levels are ignored. A texel is the mean
+/// of the texels of the first level that it represents, rounded to nearest. Channels are averaged without gamma, as
+/// light and filters use them, and weighted by alpha if there is one; alpha is the mean of their alphas. With a
+/// palette, a texel is the entry that is nearest to the mean. The same texels give the same words on every machine.
 std::vector<std::uint16_t> with_smaller_levels(const Texture& texture, std::uint8_t levels);
 
-/// The first level alone, of the same words.
+/// Returns only the first level, with the same words.
 Texture without_smaller_levels(const Texture& texture);
 
-/// Texels of each level, the first included.
+/// Returns the number of texels of each level, including the first.
 std::vector<std::size_t> level_sizes(const Texture& texture);
 
 }  // namespace zstrip::sim

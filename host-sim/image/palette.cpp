@@ -1,4 +1,4 @@
-// Median cut over the histogram of the texels; all decisions are of integers.
+// Median cut over the histogram of the texels; all decisions use integers.
 #include "image/palette.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using Counted = std::pair<std::uint16_t, std::uint32_t>;
 using Channels = std::array<int, 3>;
 
 constexpr Channels levels(std::uint16_t colour) { return {colour >> 11, colour >> 5 & 63, colour & 31}; }
-/// 0..255 each, the upper bits repeated below.
+/// Returns 0..255 for each channel; the upper bits are repeated in the lower ones.
 constexpr Channels channels(std::uint16_t colour) {
   const auto [r, g, b] = levels(colour);
   return {r << 3 | r >> 2, g << 2 | g >> 4, b << 3 | b >> 2};
@@ -28,11 +28,11 @@ int squared_distance(std::uint16_t a, std::uint16_t b) {
   return sum;
 }
 
-/// Different colours and the box around them.
+/// A set of different colours and the box around them.
 struct Box {
   std::vector<Counted> colours;
-  std::size_t axis = 0;      ///< along its longest side
-  int side = 0, middle = 0;  ///< of that side; 0 long if there is one colour
+  std::size_t axis = 0;      ///< axis of its longest side
+  int side = 0, middle = 0;  ///< length and middle of that side; the length is 0 if there is one colour
 
   explicit Box(std::vector<Counted> all) : colours(std::move(all)) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -43,7 +43,7 @@ struct Box {
       if (length > side) side = length, middle = low + length / 2, axis = i;
     }
   }
-  /// Keeps the lower half and gives the upper one; neither is empty if the side is longer than 0.
+  /// Keeps the lower half and returns the upper one; neither is empty if the side is longer than 0.
   Box split() {
     const auto upper = std::stable_partition(colours.begin(), colours.end(), [this](const Counted& colour) {
       return channels(colour.first)[axis] <= middle;

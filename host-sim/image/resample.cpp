@@ -1,4 +1,4 @@
-// Brings a picture to the sides that a texture can have.
+// Resamples a picture to sides that a texture can have.
 #include "image/resample.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Where texel `index` of `to` lies among the texels of `from`: two neighbours and the share of the second.
+/// The position of texel `index` of `to` between the texels of `from`: two neighbours and the weight of the second.
 struct Sample {
   std::uint32_t first, second;
   double share;

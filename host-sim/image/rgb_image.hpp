@@ -11,7 +11,7 @@ struct RgbImage {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<std::uint8_t> rgb;      ///< 3 * width * height
-  std::vector<std::uint8_t> alpha{};  ///< width * height; empty: nothing of the picture is transparent
+  std::vector<std::uint8_t> alpha{};  ///< width * height; empty: all pixels are opaque
 
   const std::uint8_t* pixel(std::uint32_t x, std::uint32_t y) const {
     return rgb.data() + 3 * (std::size_t{y} * width + x);

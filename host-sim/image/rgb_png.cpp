@@ -1,4 +1,4 @@
-// A picture in memory as a PNG file, by libspng.
+// Encodes a picture in memory as a PNG file, with libspng.
 #include "image/rgb_png.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// A picture in memory as a PNG file.
+// Encodes a picture in memory as a PNG file.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace zstrip::sim {
 
-/// 8-bit RGB. Fails only when libspng does (memory).
+/// Writes 8-bit RGB. Fails only if libspng does (memory).
 Result<std::vector<std::uint8_t>> encode_rgb_png(const RgbImage& image);
 
 }  // namespace zstrip::sim

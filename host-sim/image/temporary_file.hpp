@@ -1,4 +1,4 @@
-// A name for a file that another program reads, and that goes when this object does.
+// A temporary file for another program. The destructor deletes it.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The renderer's pixels with 8 bits a channel.
+// Converts the renderer's pixels to 8 bits a channel.
 #include "image/to_rgb.hpp"
 
 #include <array>
@@ -8,12 +8,12 @@ namespace {
 
 using Rgb8 = std::array<std::uint8_t, 3>;
 
-/// A channel of `bits` bits, widened by repeating its upper bits: the largest becomes 255.
+/// Widens a channel of `bits` bits by repeating its upper bits: the largest value becomes 255.
 std::uint8_t widened(unsigned channel, unsigned bits) {
   return static_cast<std::uint8_t>(channel << (8 - bits) | channel >> (2 * bits - 8));
 }
 
-/// Pixel x of a row in a colour format.
+/// Returns pixel x of a row in a colour format.
 Rgb8 colour_at(std::span<const std::byte> row, std::size_t x, PixelFormat format) {
   const auto byte = [row](std::size_t i) { return std::to_integer<unsigned>(row[i]); };
   const auto from_565 = [](unsigned pixel) {

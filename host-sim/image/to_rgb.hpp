@@ -1,4 +1,4 @@
-// The renderer's pixels with 8 bits a channel.
+// Converts the renderer's pixels to 8 bits a channel.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace zstrip::sim {
 
-/// Whether the pixels have no colour: gray4 and mono.
+/// True if the pixels have no colour: gray4 and mono.
 bool is_grey(PixelFormat format);
 
 /// `pixels` are all rows of the view, bytes_per_row each. The largest value of a channel becomes 255.
 RgbImage rgb_image_of(const View& view, std::span<const std::byte> pixels);
-/// One byte a pixel, of views in gray4 or mono.
+/// Returns one byte a pixel, for views in gray4 or mono.
 std::vector<std::uint8_t> grey_pixels_of(const View& view, std::span<const std::byte> pixels);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Writes files so that a name never stands for half a file.
+// Writes files completely or not at all.
 #include "image/write_file.hpp"
 
 #include <fcntl.h>
@@ -16,7 +16,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// 'path' cannot be written: the reason, and what to do.
+/// Returns the failure "'path' cannot be written", with the reason and what to do.
 Failure cannot_write(const std::filesystem::path& path, int reason, const char* option) {
   const char* advice = "choose another place";
   if (reason == ENOSPC || reason == EDQUOT) advice = "free some space there, or choose another place";
@@ -26,7 +26,7 @@ Failure cannot_write(const std::filesystem::path& path, int reason, const char* 
                                           std::generic_category().message(reason), advice, option)};
 }
 
-/// `path` is a link that leads nowhere: its target is missing, or it comes back to itself.
+/// `path` is a link without a target: the target is missing, or links form a circle.
 Failure cannot_follow(const std::filesystem::path& path, int reason, const char* option) {
   std::error_code ignored;
   return {
@@ -36,7 +36,7 @@ Failure cannot_follow(const std::filesystem::path& path, int reason, const char*
                   std::generic_category().message(reason), option)};
 }
 
-/// 0 or the error number. Closes `file` in any case: closing may be what reports a full disk.
+/// Returns 0 or the error number. Always closes `file`: an error of the disk may be reported only then.
 int write_and_close(int file, std::span<const std::uint8_t> content) {
   int reason = 0;
   while (!content.empty() && reason == 0) {
@@ -51,15 +51,14 @@ int write_and_close(int file, std::span<const std::uint8_t> content) {
   return reason;
 }
 
-/// The permissions that open() would have given.
+/// Returns the permissions that open() would set.
 mode_t default_mode() {
   const mode_t mask = ::umask(0);
   ::umask(mask);
   return 0666 & ~mask;
 }
 
-/// While it lives, signals that end the program wait: a temporary file must not stay behind. They take effect at its
-/// end.
+/// Delays signals that end the program, so that no temporary file is left behind. They take effect in the destructor.
 class SignalPause {
  public:
   SignalPause() {
@@ -82,10 +81,10 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) return cannot_write(path, EISDIR, option);
-  // A link keeps pointing: its target is what is replaced.
+  // A link is kept: its target is replaced.
   std::error_code error;
   std::filesystem::path target = std::filesystem::canonical(path, error);
-  // A device; or a file without a name, as /dev/stdout is one where the output's file was deleted.
+  // A device; or a file without a name, such as /dev/stdout after the output's file was deleted.
   if (std::filesystem::exists(status) && (!std::filesystem::is_regular_file(status) || target.empty())) {
     const int open_file = ::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
     const int reason = open_file < 0 ? errno : write_and_close(open_file, content);
@@ -99,7 +98,7 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
     target = path;
   }
   const SignalPause pause;
-  // A name may have 255 bytes, and so may this one.
+  // Names may have up to 255 bytes, also the name of the temporary file.
   constexpr std::size_t kLongest = 240;
   const std::string name = target.filename().string().substr(0, kLongest);
   std::string temporary = (target.parent_path() / fmt::format(".{}.XXXXXX", name)).string();
