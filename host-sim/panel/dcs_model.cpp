@@ -1,4 +1,4 @@
-// Commands, address counters, memory and what the glass shows of it.
+// Commands, address counters, memory, and the picture on the glass.
 #include "panel/dcs_model.hpp"
 
 #include <fmt/format.h>
@@ -11,10 +11,10 @@ namespace {
 // MADCTL
 constexpr std::uint8_t kRowOrder = 0x80, kColumnOrder = 0x40, kRowColumnExchange = 0x20, kBgrOrder = 0x08;
 
-/// Noise, the same each time.
+/// Returns noise, the same in each run.
 std::uint8_t noise(std::mt19937& random) { return static_cast<std::uint8_t>(random() >> 26); }
 
-/// A channel of the bus in the 6 bits of the memory: the upper bits are repeated.
+/// Converts a channel of the bus to the memory's 6 bits by repeating its upper bits.
 std::uint8_t six_bits(std::uint32_t channel, unsigned bits) {
   const std::uint32_t twice = channel << bits | channel;
   return static_cast<std::uint8_t>(twice >> (2 * bits - 6));
@@ -63,7 +63,7 @@ void DcsModel::receive_byte(Wire wire, std::uint8_t byte) {
   }
 }
 
-/// Another command ends the one before.
+/// Another command ends the command before.
 void DcsModel::finish_command() {
   if (!excused_) {
     if (command_ != nullptr && parameters_.size() < command_->fewest) complain_of("too few parameters");
@@ -81,7 +81,7 @@ void DcsModel::check_time(std::uint8_t code) {
                        std::chrono::ceil<std::chrono::microseconds>(next_command_ - now()).count()));
 }
 
-/// Bits leave with the highest first.
+/// The highest bit is sent first.
 std::vector<bool> DcsModel::answer(std::uint8_t code) {
   finish_command();
   code_ = code;
@@ -170,12 +170,12 @@ DcsModel::Range DcsModel::range_of(unsigned limit, const char* what) {
   return range;
 }
 
-/// Of the interface; 0 if there is no such format.
+/// Returns the bits of the interface format; 0 if there is no such format.
 unsigned DcsModel::bits_per_pixel() const {
   switch (format_ & 7U) {
     case 3: return part_.has_12_bits ? 12 : 0;
     case 5: return 16;
-    case 6: return 24;  // 18 that count
+    case 6: return 24;  // 18 of them are used
     default: return 0;
   }
 }
@@ -226,7 +226,7 @@ std::string DcsModel::darkness() const {
   return {};
 }
 
-/// WRDISBV counts while WRCTRLD has its block (BCTRL) and the backlight (BL) on.
+/// WRDISBV has effect while WRCTRLD has its block (BCTRL) and the backlight (BL) on.
 std::optional<unsigned> DcsModel::brightness() const {
   constexpr unsigned kBlockAndBacklight = 0x24;
   if (find_command(part_, 0x51) == nullptr) return std::nullopt;

@@ -12,8 +12,8 @@
 
 namespace zstrip::sim {
 
-/// How the glass is wired to the controller. Pixel (x, y) of the upright glass is cell (column_offset + x, row_offset +
-/// y) of the memory, counted from the other end where reversed.
+/// The wiring between glass and controller. Pixel (x, y) of the upright glass is cell (column_offset + x, row_offset +
+/// y) of the memory, counted from the other end if reversed.
 struct Glass {
   std::uint16_t width = 0;
   std::uint16_t height = 0;
@@ -67,10 +67,10 @@ class DcsModel final : public PanelModel {
   std::uint8_t access_ = 0, format_ = 0;
   std::uint8_t brightness_ = 0, brightness_control_ = 0;
   unsigned scroll_ = 0;
-  unsigned read_index_ = 0;  // 0: none was set
+  unsigned read_index_ = 0;  // 0: not set
   Range columns_, rows_;
 
-  // The command under way.
+  // The current command.
   const DcsCommand* command_ = nullptr;
   std::uint8_t code_ = 0;
   std::vector<std::uint8_t> parameters_;
@@ -81,7 +81,7 @@ class DcsModel final : public PanelModel {
   std::uint32_t bits_ = 0;
   unsigned bit_count_ = 0;
 
-  // Not before.
+  // Earliest times of these commands.
   Nanoseconds next_command_{}, next_sleep_out_{}, next_sleep_in_{};
 };
 

@@ -1,5 +1,5 @@
-// Command tables (names in the comments are the data sheets') and timing. Of the commands that read only those of
-// the controller's id are here.
+// Command tables (the names in the comments are those of the data sheets) and timing. Of the read commands, only those
+// of the controller's id are included.
 #include "panel/dcs_part.hpp"
 
 #include <algorithm>
@@ -76,13 +76,13 @@ constexpr DcsCommand kSt7735Commands[] = {
     {0xFC, 1, 1},                                                  // PWCTR6
 };
 
-// RDDID has a dummy clock on a serial bus, RDID1 to RDID3, of 8 bits, have none. ST7735S: what parts answer, the data
-// sheet leaves it to the maker of the module.
+// RDDID has a dummy clock on a serial bus; RDID1 to RDID3, of 8 bits, have none. ST7735S: the usual answer of these
+// parts, because the data sheet leaves it to the maker of the module.
 constexpr DcsAnswer kSt7789Answers[] = {
     {0x04, 1, 3, {0x85, 0x85, 0x52}}, {0xDA, 0, 1, {0x85}}, {0xDB, 0, 1, {0x85}}, {0xDC, 0, 1, {0x52}}};
 constexpr DcsAnswer kSt7735Answers[] = {
     {0x04, 1, 3, {0x7C, 0x89, 0xF0}}, {0xDA, 0, 1, {0x7C}}, {0xDB, 0, 1, {0x89}}, {0xDC, 0, 1, {0xF0}}};
-// RDDID of parts whose id was never programmed. ID4 is 00h, 93h, 41h behind an unused parameter, one at a time.
+// RDDID of parts without a programmed id. ID4 is 00h, 93h, 41h after an unused parameter, one byte at a time.
 constexpr DcsAnswer kIli9341Answers[] = {
     {0x04, 1, 3, {}}, {0xDA, 0, 1, {}}, {0xDB, 0, 1, {}}, {0xDC, 0, 1, {}}, {0xD3, 0, 3, {0x00, 0x93, 0x41}}};
 

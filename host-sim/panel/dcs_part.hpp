@@ -1,4 +1,4 @@
-// The data sheets of the controllers with MIPI's command set, where they differ.
+// The differences between the controllers with MIPI's command set, from their data sheets.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@
 
 namespace zstrip::sim {
 
-/// A command and how many bytes of parameters it may have.
+/// A command and its least and greatest number of parameter bytes.
 struct DcsCommand {
   std::uint8_t code;
   std::uint8_t fewest;
   std::uint8_t most;
 };
 
-/// A command that reads, on a serial bus: clocks before the answer, and its bytes, the first ones of these.
+/// The answer to a read command on a serial bus: clocks before the answer, and the first bytes of the answer.
 struct DcsAnswer {
   std::uint8_t code;
   std::uint8_t dummy_clocks;
@@ -35,10 +35,10 @@ struct DcsPart {
   std::chrono::nanoseconds between_sleeps;    ///< from sleep-in to sleep-out and back
   std::uint8_t format_after_reset;            ///< COLMOD's parameter
   bool has_12_bits;
-  std::span<const DcsCommand> own_commands;  ///< beyond the user commands that all have
+  std::span<const DcsCommand> own_commands;  ///< in addition to the user commands of all parts
   std::span<const DcsAnswer> answers;
   std::chrono::nanoseconds shortest_read_cycle;  ///< of the serial clock
-  bool has_read_index;                           ///< D9h selects the byte of ID4, D3h, that the next reading gives
+  bool has_read_index;                           ///< D9h selects the byte of ID4, D3h, that the next read returns
 };
 
 extern const DcsPart kSt7789Part;
@@ -46,9 +46,9 @@ extern const DcsPart kIli9341Part;
 extern const DcsPart kSt7735Part;
 extern const DcsPart kSt7735Gm11Part;  ///< pins GM1 and GM0 high: a smaller memory
 
-/// The command of this code, or nullptr.
+/// Returns the command with this code, or nullptr.
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code);
-/// What answers this command, or nullptr.
+/// Returns the answer to this command, or nullptr.
 const DcsAnswer* find_answer(const DcsPart& part, std::uint8_t code);
 
 }  // namespace zstrip::sim

@@ -48,7 +48,7 @@ hal::Error ModelBus::read(std::byte command, unsigned dummy_clocks, std::span<st
   panel_.elapse(time);
   busy_ += time;
   const bool fails = transfers_++ == fail_at_;
-  std::vector<bool> levels;  // of a question that does not arrive, any
+  std::vector<bool> levels;  // any values if the question does not arrive
   if (!fails || quarters_ != 0) levels = panel_.ask(std::to_integer<std::uint8_t>(command), bits, cycle);
   levels.resize(bits);
   if (answers_ != AnswerWire::wired) levels.assign(bits, answers_ == AnswerWire::high);

@@ -1,4 +1,4 @@
-// The wires between a driver and the model of a panel: a command/data bus with a speed, whose time the model lives in.
+// The wires between a driver and the model of a panel: a command/data bus with a speed, which sets the model's time.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace zstrip::sim {
 
-/// What comes before the bytes of a transfer, and what each byte takes.
+/// The time before the bytes of a transfer, and the time of each byte.
 struct BusTiming {
-  Nanoseconds byte{};      ///< of eight bits, and of a ninth where there is one
-  Nanoseconds transfer{};  ///< of each transfer besides: address and control bytes of I2C
-  Nanoseconds cycle{};     ///< of the clock
+  Nanoseconds byte{};      ///< eight bits, or nine with an acknowledge
+  Nanoseconds transfer{};  ///< additional time of each transfer: address and control byte of I2C
+  Nanoseconds cycle{};     ///< one cycle of the clock
 };
 
-/// What the panel's data output is wired to: the bus, or nothing, so that the bus reads one level.
+/// The wiring of the panel's data output: to the bus, or to a constant level that the bus reads.
 enum class AnswerWire : std::uint8_t { wired, low, high };
 
-/// Data is taken as late as the contract of a bus allows, in wait(): a buffer that is drawn into too early shows.
-/// Doubles as the clock that a driver waits with. The bytes and the time since the start can be read off.
+/// Takes data as late as the contract of a bus allows, in wait(), so that drawing into a buffer too early is visible.
+/// Also serves as the clock with which a driver waits. Bytes and time since the start can be read.
 class ModelBus {
  public:
   ModelBus(PanelModel& panel, const BusTiming& timing);
@@ -30,15 +30,15 @@ class ModelBus {
   hal::Error write_command(std::span<const std::byte> bytes);
   hal::Error write_data(std::span<const std::byte> bytes);
   hal::Error wait();
-  /// At 2 MHz at most, as buses read whose panels are written to faster than they can answer.
+  /// At most 2 MHz: buses read slowly from panels that can be written to faster than they answer.
   hal::Error read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer);
   void wait(std::uint32_t microseconds);
 
   std::uint64_t bytes() const { return bytes_; }
-  /// That the bus was busy.
+  /// Returns the time in which the bus was busy.
   Nanoseconds busy() const { return busy_; }
 
-  /// The transfer of this number, counted from 0, fails; of its bytes so many quarters arrive.
+  /// Makes the transfer of this number, counted from 0, fail; so many quarters of its bytes arrive.
   void fail_at(int transfer, unsigned quarters) {
     fail_at_ = transfer;
     quarters_ = quarters;

@@ -1,7 +1,7 @@
-// What every model of a panel has: the wires, time, and a list of what the real part would not have taken.
+// The common parts of all models of panels: wires, time, and a list of inputs that the real part would not accept.
 //
-// The models are written from the command tables and timing tables of the controllers' data sheets, and share no code
-// with the drivers in hal, so that one can judge the other.
+// The models are written from the command tables and timing tables of the controllers' data sheets. They share no code
+// with the drivers in hal, so that they can check the drivers.
 #pragma once
 
 #include <chrono>
@@ -25,8 +25,8 @@ using std::chrono_literals::operator""ms;
 /// The level of the D/C line.
 enum class Wire : std::uint8_t { command, data };
 
-/// A controller with its glass. Powered on, its reset line high long enough, its memory full of noise.
-/// After a complaint the model goes on as the part most likely would.
+/// A controller with its glass. It is powered on, its reset line was high long enough, and its memory is full of noise.
+/// After a complaint the model continues as the part probably would.
 class PanelModel {
  public:
   PanelModel() = default;
@@ -34,46 +34,46 @@ class PanelModel {
   PanelModel& operator=(const PanelModel&) = delete;
   virtual ~PanelModel() = default;
 
-  /// Time passes.
+  /// Advances the time.
   void elapse(Nanoseconds time) { now_ += time; }
   Nanoseconds now() const { return now_; }
-  /// Bytes arrive, at the time of now().
+  /// Receives bytes, at the time now().
   void receive(Wire wire, std::span<const std::byte> bytes);
-  /// One bit's time on the bus, to be set once: complains where the data sheet requires more.
+  /// Sets the time of one bit on the bus, once; complains if the data sheet requires more.
   void clocked_at(Nanoseconds cycle);
-  /// A command arrives, and the clock runs on for so many bits, of `cycle` each: the levels of the panel's data output.
-  /// What it does not drive is high.
+  /// Receives a command, then runs the clock for so many bits, of `cycle` each. Returns the levels of the panel's data
+  /// output; bits that the panel does not drive are high.
   std::vector<bool> ask(std::uint8_t command, std::size_t bits, Nanoseconds cycle);
-  /// The reset line.
+  /// Sets the reset line.
   void set_reset(bool high);
-  /// The driver breaks the contract of its bus.
+  /// Reports that the driver broke the contract of its bus.
   void driver_broke(std::string what) { complain(std::move(what)); }
-  /// The bus gave up amid a transfer: whatever was incomplete is excused.
+  /// Reports that the bus stopped in a transfer: incomplete commands then are not complained about.
   virtual void interrupted() = 0;
 
-  /// What the eye sees, the glass upright; black where nothing is shown.
+  /// Returns the visible picture with the glass upright; black if nothing is shown.
   virtual RgbImage seen() const = 0;
-  /// Why the glass is dark; empty if it shows its memory.
+  /// Returns the reason why the glass is dark; empty if it shows its memory.
   virtual std::string darkness() const = 0;
-  /// Of the light that the controller governs, a backlight's or its own pixels': 0 dark .. 255; none if it governs
-  /// none.
+  /// Returns the brightness of the light that the controller sets, that of a backlight or of its own pixels: 0
+  /// dark..255; nothing if it sets none.
   virtual std::optional<unsigned> brightness() const { return std::nullopt; }
-  /// Each once, in order.
+  /// Returns each complaint once, in order.
   const std::vector<std::string>& complaints() const { return complaints_; }
   void forgive() { complaints_.clear(); }
 
-  /// The shortest cycle of the serial clock for writing, and for reading.
+  /// Returns the shortest cycle of the serial clock for writing; shortest_read_cycle() for reading.
   virtual Nanoseconds shortest_cycle() const = 0;
   virtual Nanoseconds shortest_read_cycle() const { return 0ns; }
 
  protected:
   virtual void receive_byte(Wire wire, std::uint8_t byte) = 0;
-  /// All bits that answer a command which has just arrived, dummy clocks too. Most parts have no output on a serial
+  /// Returns all bits of the answer to the last command, including dummy clocks. Most parts have no output on a serial
   /// bus.
   virtual std::vector<bool> answer(std::uint8_t command);
-  /// Registers and timing as after a reset by the line; memory stays.
+  /// Sets registers and timing as after a reset by the line; memory keeps its contents.
   virtual void reset() = 0;
-  /// The reset line's pulse at least, and whether the part exists without one.
+  /// Returns the shortest low pulse of the reset line.
   virtual Nanoseconds shortest_reset() const = 0;
 
   void complain(std::string what);

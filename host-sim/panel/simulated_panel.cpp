@@ -1,4 +1,4 @@
-// Drivers and models put together, with the wiring of the usual modules.
+// Combines drivers and models, with the wiring of the usual modules.
 #include "panel/simulated_panel.hpp"
 
 #include <string_view>
@@ -40,7 +40,7 @@ constexpr PanelKind kKinds[] = {
     {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns}, {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
 };
 
-/// Owns what the driver refers to.
+/// Owns the objects that the driver refers to.
 template <class Driver>
 class PanelOf final : public SimulatedPanel {
  public:
@@ -79,7 +79,7 @@ std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const Dcs
   config.row_offset = request.module.row_offset;
   config.orientation = request.orientation;
   config.format = request.format;
-  config.id = id;  // this panel's answers are wired
+  config.id = id;  // this panel's data output is wired
   const Glass glass{.width = config.width,
                     .height = config.height,
                     .column_offset = config.column_offset,
@@ -132,7 +132,7 @@ std::span<const PanelKind> panel_kinds() { return kKinds; }
 
 BusTiming timing_of(BusKind bus, Nanoseconds cycle) {
   if (bus == BusKind::spi) return {.byte = 8 * cycle, .transfer = 0ns, .cycle = cycle};
-  // Each byte with its acknowledge; before them start, address and control byte, behind them stop.
+  // Each byte has an acknowledge bit. Start, address and control byte come before them, stop comes after them.
   return {.byte = 9 * cycle, .transfer = (1 + 9 + 9 + 1) * cycle, .cycle = cycle};
 }
 

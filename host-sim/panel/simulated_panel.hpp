@@ -1,4 +1,4 @@
-// A whole panel to draw on: the driver of hal, a bus with a speed, and the model that has what is seen.
+// A complete panel: the driver of hal, a bus with a speed, and the model with the visible picture.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace zstrip::sim {
 
 enum class BusKind : std::uint8_t { spi, i2c };
 
-/// A module that can be bought: a controller and its glass, upright.
+/// A module on the market: a controller and its glass, upright.
 struct PanelModule {
   std::uint16_t width = 0;
   std::uint16_t height = 0;
@@ -24,12 +24,12 @@ struct PanelModule {
   std::uint16_t row_offset = 0;
 };
 
-/// A controller as it is named on the command line.
+/// A controller, by its name on the command line.
 struct PanelKind {
   const char* name;
   std::span<const PanelModule> modules;       ///< the first one is the usual one
   std::span<const hal::PixelFormat> formats;  ///< the first one is the usual one
-  Nanoseconds fastest_spi;                    ///< a bit, by its data sheet
+  Nanoseconds fastest_spi;                    ///< time of a bit, from its data sheet
   Nanoseconds fastest_i2c;                    ///< 0: it has no I2C
 };
 
@@ -41,10 +41,10 @@ struct PanelRequest {
   hal::Orientation orientation;
   hal::PixelFormat format{};  ///< one of the kind's
   BusKind bus = BusKind::spi;
-  Nanoseconds cycle{};  ///< of the bus's clock
+  Nanoseconds cycle{};  ///< one cycle of the bus's clock
 };
 
-/// A hal::Display. The driver refers to bus and model, so that it stays where it is.
+/// A hal::Display. Cannot be moved, because the driver refers to bus and model.
 class SimulatedPanel {
  public:
   SimulatedPanel() = default;
@@ -67,13 +67,13 @@ class SimulatedPanel {
 
 static_assert(hal::Display<SimulatedPanel>);
 
-/// A panel 120 ms after power-on, not started.
+/// Returns a panel 120 ms after power-on, not started.
 std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request);
 
-/// Strips begin and end at multiples of so many rows, unless they end at the picture's last one.
+/// Returns the number of rows whose multiples are the borders of strips; the picture's last row may end a strip, too.
 std::uint16_t row_step(const PanelRequest& request);
 
-/// What a byte and a transfer take on a bus whose clock has this cycle.
+/// Returns the time of a byte and of a transfer on a bus with this clock cycle.
 BusTiming timing_of(BusKind bus, Nanoseconds cycle);
 
 }  // namespace zstrip::sim

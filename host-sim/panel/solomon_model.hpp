@@ -1,4 +1,5 @@
-// What the models of Solomon Systech's OLED controllers share: commands with their parameters, on either level of D/C.
+// The common parts of the models of Solomon Systech's OLED controllers: commands with parameters, on either level of
+// D/C.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +11,18 @@
 
 namespace zstrip::sim {
 
-/// Codes first..last take that many bytes of parameters.
+/// Codes first..last have this number of parameter bytes.
 struct SolomonCommand {
   std::uint8_t first;
   std::uint8_t last;
   std::uint8_t parameters;
 };
 
-/// A window of the memory that data fills: edges are inclusive.
+/// A window of the memory that data fills; both ends are inclusive.
 struct SolomonRange {
   unsigned first = 0, last = 0, at = 0;
 
-  /// True when it starts again.
+  /// Returns true when it starts again.
   bool advance() {
     if (at++ != last) return false;
     at = first;
@@ -31,21 +32,21 @@ struct SolomonRange {
 
 class SolomonModel : public PanelModel {
  public:
-  /// A controller whose parameters come with D/C low waits for them whatever happened; with D/C high, a command ends
-  /// the one before.
+  /// A controller whose parameters come with D/C low waits for them in any case. With D/C high, a command ends the
+  /// command before.
   void interrupted() override { excused_ = true; }
 
  protected:
   SolomonModel(const char* name, Wire parameters_on, std::span<const SolomonCommand> commands)
       : name_(name), parameters_on_(parameters_on), commands_(commands) {}
 
-  /// A command with all of its parameters.
+  /// Executes a command with all its parameters.
   virtual void execute(std::uint8_t code, std::span<const std::uint8_t> parameters) = 0;
-  /// A byte for the memory; `last_command` is what came before it.
+  /// Stores a byte in the memory; `last_command` is the command before it.
   virtual void store(std::uint8_t byte, std::uint8_t last_command) = 0;
   virtual void reset_registers() = 0;
 
-  /// A range of columns, rows or pages from two parameters.
+  /// Returns a range of columns, rows or pages from two parameters.
   SolomonRange range_of(std::span<const std::uint8_t> parameters, unsigned limit, const char* what);
   void require(bool good, const char* what, unsigned value);
 

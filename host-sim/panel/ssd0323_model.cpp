@@ -47,7 +47,7 @@ void Ssd0323Model::reset_registers() {
 void Ssd0323Model::execute(std::uint8_t code, std::span<const std::uint8_t> parameters) {
   const unsigned first = parameters.empty() ? 0U : parameters[0];
   switch (code) {
-    // Upper bits of both do not count.
+    // The upper bits of both are ignored.
     case 0x15: {
       const std::uint8_t columns[] = {static_cast<std::uint8_t>(first & 63U),
                                       static_cast<std::uint8_t>(parameters[1] & 63U)};
@@ -85,7 +85,8 @@ void Ssd0323Model::execute(std::uint8_t code, std::span<const std::uint8_t> para
     case 0xAE:
     case 0xAF: on_ = code == 0xAF; break;
     case 0xB8:
-      // Pulse lengths as increases over the level below: level 1 stands alone, then two levels a byte. Each must grow.
+      // Pulse lengths are increments over the level below: level 1 has its own byte, then two levels a byte. No
+      // increment may be 0.
       grey_table_ = true;
       for (std::size_t index = 0; index < parameters.size(); ++index) {
         const unsigned low = parameters[index] & 7U, high = parameters[index] >> 4 & 7U;
@@ -125,8 +126,8 @@ RgbImage Ssd0323Model::seen() const {
     const bool upwards = ((remap_ & kComRemap) != 0) != glass_.rows_reversed;
     const unsigned row = upwards ? kGlassRows - 1 - y : y;
     for (unsigned x = 0; x < 2 * kColumns; ++x, out += 3) {
-      // SEG 2n and 2n + 1 are the low and the high nibble of column n, or, with the nibbles remapped, the other way
-      // round.
+      // SEG 2n and 2n + 1 are the low and the high nibble of column n, or, with remapped nibbles, the high and the low
+      // one.
       const unsigned segment = glass_.columns_reversed ? 2 * kColumns - 1 - x : x;
       const unsigned pair = segment / 2;
       const unsigned column = (remap_ & kColumnRemap) != 0 ? kColumns - 1 - pair : pair;

@@ -64,7 +64,7 @@ void Ssd1306Model::execute(std::uint8_t code, std::span<const std::uint8_t> para
       require((first & 3U) != 3, "the addressing mode", first);
       addressing_ = static_cast<Addressing>(first & 3U);
       break;
-    // Upper bits of both do not count.
+    // The upper bits of both are ignored.
     case 0x21: {
       const std::uint8_t columns[] = {static_cast<std::uint8_t>(first & 127U),
                                       static_cast<std::uint8_t>(parameters[1] & 127U)};

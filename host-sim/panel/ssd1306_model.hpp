@@ -10,8 +10,8 @@
 
 namespace zstrip::sim {
 
-/// Column x of the upright glass is SEG column_offset + x, counted from SEG 127 down where reversed; COM 0 is at its
-/// top unless reversed.
+/// Column x of the upright glass is SEG column_offset + x, counted from SEG 127 down if reversed; COM 0 is at the top
+/// unless reversed.
 struct Ssd1306Glass {
   std::uint16_t width = 128;
   std::uint16_t height = 64;
@@ -19,12 +19,12 @@ struct Ssd1306Glass {
   bool columns_reversed = true;
   bool rows_reversed = true;
   bool com_alternating = true;
-  bool charge_pump = true;  ///< has no other supply
+  bool charge_pump = true;  ///< the charge pump is the only supply
 };
 
 class Ssd1306Model final : public SolomonModel {
  public:
-  /// `shortest_cycle` is that of the bus it is wired for: 100 ns SPI, 2500 ns I2C.
+  /// `shortest_cycle` is the cycle of its bus: 100 ns SPI, 2500 ns I2C.
   explicit Ssd1306Model(const Ssd1306Glass& glass = {}, Nanoseconds shortest_cycle = 100ns);
 
   RgbImage seen() const override;

@@ -1,4 +1,4 @@
-// The SSD1351's command table, memory and glass. Of its pixel formats only 65,536 colours are modelled.
+// The SSD1351's command table, memory and glass. Only the pixel format with 65,536 colours is modelled.
 #include "panel/ssd1351_model.hpp"
 
 #include <random>

@@ -16,7 +16,7 @@ struct Ssd1351Glass {
   std::uint16_t height = 128;
   bool columns_reversed = false;
   bool rows_reversed = true;
-  bool bgr = true;  ///< the subpixels from the left to the right are those of the driver's C, B, A
+  bool bgr = true;  ///< the subpixels from left to right are the driver's C, B, A
 };
 
 class Ssd1351Model final : public SolomonModel {
