@@ -1,4 +1,4 @@
-// Whether this build has AddressSanitizer: GCC defines a macro, clang answers a question.
+// True in builds with AddressSanitizer: GCC defines a macro, Clang answers __has_feature.
 #pragma once
 
 namespace zstrip::sim {

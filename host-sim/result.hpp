@@ -1,4 +1,4 @@
-// Failure as a value: the exit statuses of the command, and a result that holds either a value or the reason why not.
+// Failures as values: the exit statuses of the command, and a result that holds either a value or a failure.
 #pragma once
 
 #include <string>
@@ -7,24 +7,24 @@
 
 namespace zstrip::sim {
 
-/// What `zstrip` ends with; documented in README.md.
+/// The exit statuses of `zstrip`; documented in README.md.
 enum class ExitStatus : int {
   ok = 0,
-  internal = 1,     ///< a bug of zstrip
-  usage = 2,        ///< the command line
-  environment = 3,  ///< something this machine lacks
-  input = 4,        ///< the model file
-  budget = 5,       ///< too little memory allowed
-  output = 6,       ///< a picture or report that cannot be written
+  internal = 1,     ///< a bug in zstrip
+  usage = 2,        ///< an error in the command line
+  environment = 3,  ///< this machine lacks something
+  input = 4,        ///< an error in the model file
+  budget = 5,       ///< too little memory is allowed
+  output = 6,       ///< a picture or report cannot be written
 };
 
-/// `message` is one line: the thing, what is wrong with it, what to do.
+/// `message` is one line: the object, what is wrong with it, what to do.
 struct Failure {
   ExitStatus status = ExitStatus::internal;
   std::string message;
 };
 
-/// The value of a step that has none.
+/// The value of a step that returns no value.
 struct Done {};
 
 template <typename T>
