@@ -1,4 +1,4 @@
-// `zstrip bake`: a scene as constants for firmware, or as a blob that is used where it lies.
+// `zstrip bake`: writes a scene as constants for firmware, or as a blob that is used in place.
 #include "cli/bake_command.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +44,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct Arguments {
   std::string scene;
   std::string output;
@@ -62,7 +62,7 @@ struct Arguments {
   bool quiet = false;
 };
 
-/// Of a word that the option allows.
+/// The value is one of the words that the option accepts.
 TextureChoice texture_choice(const std::string& word) {
   if (word == "auto") return TextureChoice::automatic;
   if (word == "palette8") return TextureChoice::palette8;
@@ -76,7 +76,7 @@ MipmapChoice mipmap_choice(const std::string& word) {
 
 enum class Kind { header, sketch, program, blob, pico };
 
-/// Constants, or a program that includes them.
+/// True for constants, and for programs that include them.
 bool is_source(Kind kind) { return kind == Kind::header || kind == Kind::sketch || kind == Kind::program; }
 
 Result<Kind> kind_of(const std::string& output) {
@@ -98,7 +98,7 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Of the skins that the output moves: none of a blob.
+/// Returns the skins that the output moves; a blob has none.
 BakedSkins skins_of(Kind kind, const Stage& stage) {
   const Model* const model = stage.model();
   if (!stage.bends() || model == nullptr) return {};
@@ -110,7 +110,7 @@ BakedSkins skins_of(Kind kind, const Stage& stage) {
   return {model->skins, model->joints, model->rest, stage.joint_animation()};
 }
 
-/// What a method makes of the scene, and visible sets, are for what stands still.
+/// Prepared scenes and visible sets are only for scenes that do not move.
 Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& arguments, const Staging& staging,
                                   const Animation& animation, const BakedSkins& skins) {
   if (arguments.visible_sets && !skins.meshes.empty()) {
@@ -137,11 +137,11 @@ Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& a
   return PreparedScene::of(staging, request.method);
 }
 
-/// What the picture's settings choose beside the view.
+/// Returns the effects that the picture's settings choose in addition to the view.
 Effects picture_effects(const PlanRequest& request) { return request.perspective | depth_effect(request.depth_format); }
 
-/// Of the instances that the method has made one: they turn together or not at all. An order for one camera stands
-/// still.
+/// Returns the motion of the one instance that the method makes of all instances: they rotate together, or not at all.
+/// A scene sorted for one camera does not move.
 Result<Turn> turn_of(const Stage& stage, const PlanRequest& request, const Arguments& arguments,
                      const Staging& original) {
   if (!request.method.any(method::orders) || stage.turn().what == Turning::nothing) return stage.turn();
@@ -159,14 +159,14 @@ Result<Turn> turn_of(const Stage& stage, const PlanRequest& request, const Argum
   return Turn{.what = Turning::nothing};
 }
 
-/// Whether both show the same picture of the same scene.
+/// True if both cameras show the same picture of the same scene.
 bool same(const Camera& a, const Camera& b) {
   return a.right == b.right && a.up == b.up && a.back == b.back && a.eye == b.eye && a.focal == b.focal &&
          a.near_plane == b.near_plane && a.far_plane == b.far_plane && a.projection == b.projection &&
          a.fixed_depth_range == b.fixed_depth_range;
 }
 
-/// The scene at rest, planned.
+/// Plans the scene at rest.
 Result<BakedScene> bake(const std::string& scene, const Staging& staging, const Animation& animation, const Turn& turn,
                         const BakedSkins& skins, const PlanRequest& request) {
   const Result<Plan> plan = best_plan(staging, request);
@@ -191,7 +191,7 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
   return baked;
 }
 
-/// Of a header: leaves out what its motion does not need, if that is asked for.
+/// For a header: leaves out clipping if the option allows it and the motion does not need it.
 ClippingRecord choose_clipping(const Arguments& arguments, BakedScene& baked) {
   if (arguments.clipping == "on") return {.where = {}, .why = "--clipping on"};
   ClippingRecord clipping = find_clipping(baked, arguments.turntable);
@@ -204,7 +204,7 @@ ClippingRecord choose_clipping(const Arguments& arguments, BakedScene& baked) {
 
 BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedScene& baked) {
   const Model* model = stage.model();
-  // What was split has a material of its own.
+  // Split triangles have their own material.
   const Origins origins = baked.effects.any(method::orders) ? Origins{} : stage.origins();
   BakeRecord record{.scene = arguments.scene,
                     .output = arguments.output,
@@ -242,7 +242,7 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
   return blob;
 }
 
-/// `pico_file`: what a file for a Pico is for.
+/// `pico_file`: the board and program of a file for a Pico.
 Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, Kind kind, const BakedScene& baked,
                                               const Camera& turning_camera, const PicoFile& pico_file,
                                               BakeRecord& record) {
@@ -273,7 +273,7 @@ Result<VisibleSetRecord> write_sets(const std::string& output, const Staging& st
 
 Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
   const bool json_on_stdout = arguments.json && (*arguments.json == "-" || is_standard_output(*arguments.json));
-  if (json_on_stdout) write_text(stdout, bake_json(record));  // main looks at the stream's state
+  if (json_on_stdout) write_text(stdout, bake_json(record));  // main checks the stream's state
   if (arguments.json && !json_on_stdout) {
     const Result<Done> written = write_file(*arguments.json, bytes_of(bake_json(record)), "--json");
     if (!written) return written.failure();
@@ -285,7 +285,7 @@ Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
   return Done{};
 }
 
-/// What of the scene file's visibility the output does not keep.
+/// Warns of the scene file's visibility settings that the output does not keep.
 Result<Done> warn_of_method(Kind kind, const std::string& scene, Effects method) {
   const Result<PictureSettings> settings = settings_of(scene);
   if (!settings) return settings.failure();
@@ -353,7 +353,7 @@ Result<Done> run(const Arguments& arguments) {
   const Result<PicoFile> pico_file = parse_pico(arguments.pico, arguments.output);
   if (!pico_file) return pico_file.failure();
 
-  const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
+  const std::uint32_t angles = arguments.turntable ? 2 : 1;  // 2 frames: the camera must show every angle
   std::optional<StepReport> steps(std::in_place, !arguments.quiet);
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);

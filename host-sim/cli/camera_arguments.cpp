@@ -1,4 +1,4 @@
-// The options that place the camera and turn the model upright.
+// The options that place the camera and select the model's upward axis.
 #include "cli/camera_arguments.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The options that place the camera and turn the model upright, shared by the commands that take them.
+// The options that place the camera and select the model's upward axis, shared by the commands that accept them.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ class App;
 
 namespace zstrip::sim {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct CameraArguments {
   std::optional<std::string> up;
   std::optional<std::string> animation;
@@ -31,11 +31,11 @@ struct CameraArguments {
 /// Adds the options; `arguments` must live as long as the command.
 void add_camera_options(CLI::App& command, CameraArguments& arguments);
 
-/// `scene`: --camera is a usage error for those that are no model files.
+/// `scene`: --camera is a usage error unless it is a model file.
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
-/// --up, --animation and --highlights. Usage errors for scenes that are no model files: those set such things
-/// themselves.
+/// Parses --up, --animation and --highlights. They are usage errors unless the scene is a model file: other scenes have
+/// their own settings.
 Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene);
 
 }  // namespace zstrip::sim

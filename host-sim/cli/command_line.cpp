@@ -1,4 +1,4 @@
-// Parses, runs, and turns whatever goes wrong into a line and a status.
+// Parses, runs, and reports every failure as a line of text and a status.
 #include "cli/command_line.hpp"
 
 #include <fcntl.h>
@@ -21,11 +21,11 @@
 namespace zstrip::sim {
 namespace {
 
-/// A closed standard stream gets a descriptor on which writing fails. Else the next file opened, a picture perhaps,
-/// would become the stream, and messages would be written into it.
+/// Opens a descriptor on which writing fails for each closed standard stream. Otherwise the next file that is opened,
+/// such as a picture, would become the stream, and messages would be written into it.
 void keep_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);  // takes the lowest free number: this one
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);  // gets the lowest free number: this one
   }
 }
 
@@ -51,7 +51,7 @@ int parse_and_run(int argc, char** argv, void (*add_commands)(CLI::App& app, int
   if (app.get_subcommands().empty() && app.count("--version") + app.count("--help") == 0) {
     return print_failure({ExitStatus::usage, "a command is missing; see 'zstrip --help'"});
   }
-  // What is written late, when buffers are flushed, can fail too.
+  // Writing can also fail later, when buffers are flushed.
   std::cout.flush();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
     return print_failure({ExitStatus::output, "cannot write to standard output; is the disk full?"});
@@ -63,7 +63,7 @@ int parse_and_run(int argc, char** argv, void (*add_commands)(CLI::App& app, int
 
 int run_command_line(int argc, char** argv, void (*add_commands)(CLI::App& app, int& exit_code)) {
   keep_standard_streams();
-  // A limit on file sizes is then an error of write(), and said like one.
+  // A limit on file sizes is then an error of write(), and is reported like one.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return parse_and_run(argc, argv, add_commands);

@@ -1,4 +1,4 @@
-// The options for what is drawn and how, shared by the commands that draw pictures of a scene.
+// The options for pictures of a scene, shared by the commands that draw them.
 #include "cli/drawing_arguments.hpp"
 
 #include <fmt/format.h>
@@ -14,14 +14,14 @@
 namespace zstrip::sim {
 namespace {
 
-/// The picture fills the panel.
+/// Returns a view that fills the panel.
 View panel_view(const PanelRequest& panel) {
   const bool sideways = is_sideways(panel.orientation);
   const PanelModule& module = panel.module;
   return {sideways ? module.height : module.width, sideways ? module.width : module.height, core_format(panel.format)};
 }
 
-/// Some panels take whole groups of rows only.
+/// Some panels accept only whole groups of rows.
 Result<Done> fit_strips_to_panel(Drawing& drawing) {
   const std::uint16_t step = row_step(*drawing.panel);
   if (step == 1) return Done{};
@@ -35,7 +35,7 @@ Result<Done> fit_strips_to_panel(Drawing& drawing) {
   return Done{};
 }
 
-/// Pictures of depth, overdraw, tiles and errors have plain pixels, whatever a scene file has chosen for its own.
+/// Pictures of depth, overdraw, tiles and errors have plain pixels, for any settings of a scene file's own picture.
 Result<Done> prepare_show(Drawing& drawing, const ViewArguments& given) {
   if (drawing.visibility.show == Show::colour) return Done{};
   if (drawing.panel) return usage("--show and --panel exclude each other: a panel shows colours");

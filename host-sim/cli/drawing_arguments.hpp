@@ -1,4 +1,4 @@
-// The options for what is drawn and how, shared by the commands that draw pictures of a scene.
+// The options for pictures of a scene, shared by the commands that draw them.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ class App;
 
 namespace zstrip::sim {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct DrawingArguments {
   std::string scene;
   ViewArguments view{};
@@ -33,27 +33,27 @@ struct DrawingArguments {
   VisibilityArguments visibility{};
 };
 
-/// What they ask for.
+/// The parsed options.
 struct Drawing {
   ModelOptions model;
   std::optional<PanelRequest> panel;
   View view;
-  std::optional<bool> edges;  ///< of with_edges
+  std::optional<bool> edges;  ///< for with_edges
   DepthFormat depth_format = DepthFormat::z16;
-  std::string_view depth_given;  ///< what has chosen it, for messages
+  std::string_view depth_given;  ///< the option that chose it, for messages
   Effects perspective;
   Budget budget;
   CameraOptions camera;
   VisibilityRequest visibility;
 
-  /// Options beside scene, view and method.
+  /// Returns the options in addition to scene, view and method.
   Effects effects() const { return depth_effect(depth_format) | perspective; }
 };
 
 /// Adds the scene and the options; `arguments` must live as long as the command.
 void add_drawing_options(CLI::App& command, DrawingArguments& arguments);
 
-/// What the options leave open is as `settings` have it, those of the scene file.
+/// `settings`, those of the scene file, apply where the command line has no option.
 Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSettings& settings);
 
 }  // namespace zstrip::sim

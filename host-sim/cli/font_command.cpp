@@ -24,7 +24,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct FontArguments {
   std::string file, output;
   std::uint32_t size = 16;
@@ -70,7 +70,7 @@ Result<FontRequest> parse_font(const FontArguments& arguments) {
   return request;
 }
 
-/// Of what the file lacks.
+/// Lists the characters that the file does not have.
 std::string list_of_missing(const std::vector<std::uint32_t>& characters) {
   constexpr std::size_t kMaxNamed = 8;
   std::string list;
@@ -106,7 +106,7 @@ Result<Done> run_font(const FontArguments& arguments) {
     write_text(stdout, fmt::format("{}: {}, {} a line, {} of glyphs and {} of coverage\n", printable(arguments.output),
                                    counted(font.glyphs.size(), "character"), counted(font.line_height, "pixel"),
                                    counted(font.glyphs.size_bytes(), "byte"),
-                                   counted(font.coverage.size_bytes(), "byte")));  // main looks at the stream's state
+                                   counted(font.coverage.size_bytes(), "byte")));  // main checks the stream's state
   }
   return Done{};
 }

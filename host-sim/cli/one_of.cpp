@@ -1,4 +1,4 @@
-// A validator in place of CLI::IsMember, which gives no reason for a value that is no number among numbers.
+// A validator to replace CLI::IsMember, which gives no reason if a value is not a number.
 #include "cli/one_of.hpp"
 
 #include <fmt/format.h>

@@ -7,12 +7,12 @@
 
 namespace zstrip::sim {
 
-/// Accepts these values in any case and passes them on as they are written here; the message about any other lists
-/// them and names the nearest. Failures: ExitStatus::usage, as of all options. `values`: at least one, no two of which
-/// differ in case alone.
+/// Accepts these values in any case and returns them as they are written here. The message about another value lists
+/// them and says the nearest. Failures: ExitStatus::usage, as for all options. `values`: at least one, no two of which
+/// differ only in case.
 CLI::Validator one_of(std::vector<std::string> values);
 
-/// Passes the value on in lower case: for options whose words all are, and are read later.
+/// Converts the value to lower case: for options with lower case words that are read later.
 CLI::Validator lower_case();
 
 }  // namespace zstrip::sim

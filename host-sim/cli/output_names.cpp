@@ -1,4 +1,4 @@
-// Where the pictures go: one file, or numbered frames in a folder.
+// The output of pictures: one file, or numbered frames in a folder.
 #include "cli/output_names.hpp"
 
 #include <fmt/format.h>
@@ -23,19 +23,19 @@ std::optional<ImageType> type_of_ending(const std::string& ending) {
   return known == std::end(kEndings) ? std::nullopt : std::optional(known->second);
 }
 
-/// That of a file, as ".txt" is, and not the end of a folder's name such as "v1.2".
+/// True if this is an ending of files, such as ".txt", and not the end of a folder's name such as "v1.2".
 bool is_of_files(const std::string& ending) {
   return ending.size() > 1 && lower(ending)[1] >= 'a' && lower(ending)[1] <= 'z';
 }
 
-/// One path for all names of a file, also of one that does not exist yet.
+/// Returns the same path for all names of a file, also for a file that does not exist yet.
 std::filesystem::path resolved(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
   return error ? path.lexically_normal() : std::move(whole);
 }
 
-/// Several things may go to a device, as /dev/null is.
+/// True for devices such as /dev/null, which can get several outputs.
 bool is_device(const std::filesystem::path& path) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -64,7 +64,7 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
     const std::filesystem::file_status status = std::filesystem::status(names.path, ignored);
     const bool is_there = std::filesystem::exists(status);
     names.folder = std::filesystem::is_directory(status) || (!is_there && !by_name);
-    // A file of another kind is not written over, unless its type is given.
+    // A file of another kind is not overwritten, unless its type is given.
     if (!by_name && is_of_files(ending) && (!is_there || (std::filesystem::is_regular_file(status) && !type))) {
       return Failure{ExitStatus::usage,
                      fmt::format("-o '{0}': '{1}' is no picture type; files end in .png, .apng (all frames in one), "
@@ -104,7 +104,7 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
   if (json_on_stdout && is_standard_output(outputs.path.string())) {
     return usage("-o and --json both name standard output; give one of them a file");
   }
-  // Empty where there is no file of its own.
+  // Empty if there is no separate file.
   const auto file_of = [](bool is_file, const std::string& path) {
     return is_file && !is_device(path) ? resolved(path) : std::filesystem::path();
   };
@@ -121,7 +121,7 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
     return usage(fmt::format("--json '{}' is the file of --visible-sets; give the report another name", *json));
   }
 
-  // Of a folder's files only the names differ.
+  // All files of a folder have the same path except for their names.
   const std::filesystem::path place = outputs.folder ? resolved(outputs.path) : "";
   const std::uint32_t files = outputs.folder ? outputs.frames : 1;
   for (std::uint32_t frame = 0; frame < files; ++frame) {

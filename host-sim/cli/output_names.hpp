@@ -1,4 +1,4 @@
-// Where the pictures go: one file, or numbered frames in a folder.
+// The output of pictures: one file, or numbered frames in a folder.
 #pragma once
 
 #include <cstdint>
@@ -18,31 +18,31 @@ struct OutputNames {
   std::uint32_t frames = 1;
   PixelFormat format = PixelFormat::rgb565;
 
-  /// Whether `path` is one file with all frames.
+  /// True if `path` is one file with all frames.
   bool is_animated() const { return !folder && type == ImageType::apng; }
-  /// The file of a frame: `path` itself, or frame_0000.png and so on in it.
+  /// Returns the file of a frame: `path` itself, or frame_0000.png and so on in it.
   std::filesystem::path file(std::uint32_t frame) const;
 };
 
 inline constexpr std::uint32_t kFolderFrames = 8;
 
-/// `output` is what -o gave. It names a file if it ends in .png, .apng, .jpg, .jpeg, .ppm, .pgm or .raw, or is a file
-/// or device already; else a folder, which has no other ending unless it is there or a '/' follows. Without it:
-/// SCENE.png for one frame, a folder SCENE for more, both in the current folder. Frames, where not given: 1 into a
-/// picture, `folder_frames` into a folder or an animation.
+/// `output` is the argument of -o. It is a file if it ends in .png, .apng, .jpg, .jpeg, .ppm, .pgm or .raw, or if it
+/// exists as a file or device; else it is a folder, which must have no other ending unless it exists or ends with '/'.
+/// Without `output`: SCENE.png for one frame, a folder SCENE for several, both in the current folder. If the number of
+/// frames is not given: 1 for a picture, `folder_frames` for a folder or an animation.
 Result<OutputNames> name_outputs(const std::string& scene, const std::optional<std::string>& output,
                                  std::optional<std::uint32_t> frames, std::optional<ImageType> type, PixelFormat format,
                                  std::uint32_t folder_frames = kFolderFrames);
 
-/// Whether `path` is a name of standard output: /dev/stdout and the like.
+/// True if `path` is a name of standard output: /dev/stdout and similar names.
 bool is_standard_output(const std::string& path);
 
-/// Refuses to write two things to one place: the report over a picture, or either over the file of the scene or of
-/// --visible-sets, which is not the scene's either.
+/// Refuses to write two outputs to one place: the report over a picture, or either of them over the file of the scene
+/// or of --visible-sets; also if the latter two are the same file.
 Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std::string>& json,
                             const std::string& scene, const std::optional<std::string>& sets = std::nullopt);
 
-/// Creates the folder where there is to be one.
+/// Creates the folder, if there is one.
 Result<Done> prepare(const OutputNames& outputs);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// The options of a simulated panel, and what goes together.
+// The options of a simulated panel, and the checks of their combinations.
 #include "cli/panel_arguments.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ struct Bus {
   Nanoseconds cycle{};
 };
 
-/// "spi@40MHz", "i2c@400kHz", or without a speed: the fastest that the data sheet allows.
+/// Parses "spi@40MHz" or "i2c@400kHz"; without a speed, uses the fastest that the data sheet allows.
 Result<Bus> parse_bus(const std::string& text, const PanelKind& kind) {
   constexpr std::string_view kNames[] = {"spi", "i2c"};
   const std::size_t at = text.find('@');
@@ -62,7 +62,7 @@ Result<hal::Rotation> parse_rotation(const std::string& text) {
   return usage(fmt::format("--rotation '{}' must be 0, 90, 180 or 270 degrees, clockwise", text));
 }
 
-/// `size` is the picture's, which changes sides with the glass where it lies sideways.
+/// `size` is the picture's size; width and height are exchanged if the panel is on its side.
 Result<PanelModule> parse_module(const std::string& size, const PanelKind& kind, bool sideways) {
   const auto wanted = parse_size(size);
   if (!wanted) return wanted.failure();

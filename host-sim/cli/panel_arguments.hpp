@@ -13,7 +13,7 @@ class App;
 
 namespace zstrip::sim {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct PanelArguments {
   std::optional<std::string> panel;
   std::optional<std::string> bus;
@@ -24,14 +24,14 @@ struct PanelArguments {
 /// Adds the options; `arguments` must live as long as the command.
 void add_panel_options(CLI::App& command, PanelArguments& arguments);
 
-/// Nothing without --panel. `size` and `format` are those of --size and --format, if given.
+/// Returns nothing without --panel. `size` and `format` are the values of --size and --format, if given.
 Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments, const std::optional<std::string>& size,
                                                 const std::optional<std::string>& format);
 
-/// The clock in "spi@40MHz".
+/// Returns the clock in "spi@40MHz".
 Result<double> parse_bus_hertz(const std::string& text);
 
-/// "SPI at 40 MHz".
+/// Returns "SPI at 40 MHz".
 std::string bus_words(const PanelRequest& request);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// The values of command-line options.
+// Parses the values of command-line options.
 #include "cli/parse.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ Failure bad_value(std::string_view option, std::string_view value, std::string_v
   return {ExitStatus::usage, fmt::format("{} '{}' must be {}", option, value, expected)};
 }
 
-/// The whole text as a number.
+/// Parses the whole text as a number.
 template <typename T>
 std::optional<T> number(std::string_view text) {
   T value{};
@@ -32,7 +32,7 @@ std::optional<T> number(std::string_view text) {
   return value;
 }
 
-/// What `text` names.
+/// Returns the value with the name `text`.
 template <typename T, std::size_t size>
 Result<T> named(std::string_view option, std::string_view text, const std::pair<std::string_view, T> (&values)[size]) {
   std::vector<std::string_view> names;

@@ -1,5 +1,5 @@
-// The values of command-line options. Each failure is a usage error that names the option, its value and what it may
-// be.
+// Parses the values of command-line options. Each failure is a usage error that says the option, its value and the
+// accepted values.
 #pragma once
 
 #include <array>
@@ -21,31 +21,32 @@ namespace zstrip::sim {
 /// `message` is one line.
 Failure usage(std::string message);
 
-/// "320x240": each side 1..4096.
+/// Parses "320x240": each side 1..4096.
 Result<std::pair<std::uint16_t, std::uint16_t>> parse_size(const std::string& text);
 
-/// "20000", "20K" or "4M" (1024 and 1024 * 1024 bytes), also as "20KB" or "20 KiB" in any case; 1 to 4 GB - 1.
+/// Parses "20000", "20K" or "4M" (1024 and 1024 * 1024 bytes), also "20KB" or "20 KiB" in any case; 1 to 4 GB - 1.
 /// `option`: for the failure.
 Result<std::uint32_t> parse_bytes(const std::string& text, std::string_view option = "--ram");
 
-/// "auto" is 0; else 1..4096.
+/// Parses "auto" as 0, else 1..4096.
 Result<std::uint16_t> parse_strip_rows(const std::string& text);
 
-/// "auto" is 0; else 1..4096. Whether it fits the picture is the planner's question.
+/// Parses "auto" as 0, else 1..4096. The planner checks if it fits the picture.
 Result<std::uint16_t> parse_strip_columns(const std::string& text);
 
-/// Both, into the budget of a picture of this size; a usage error also where it cannot be cut so.
+/// Parses both into the budget of a picture of this size; also a usage error if the picture cannot be divided like
+/// that.
 Result<Done> parse_strips(const std::string& rows, const std::string& columns, const View& view, Budget& budget);
 
-/// "x,y,z": finite numbers; `option` is for the message.
+/// Parses "x,y,z": finite numbers; `option` is for the message.
 Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text);
 
-/// z16, float or z24.
+/// Parses z16, float or z24.
 Result<DepthFormat> parse_depth_format(const std::string& text);
-/// One of effect::perspective_runs, or nothing for runs of 16.
+/// Returns one of effect::perspective_runs, or nothing for runs of 16.
 Result<Effects> parse_perspective(const std::string& text);
 Result<PixelFormat> parse_format(const std::string& text);
-/// "x", "-x", "y", ...; empty: none was given.
+/// Parses "x", "-x", "y", ...; empty: not given.
 Result<std::optional<UpAxis>> parse_up_axis(const std::optional<std::string>& text);
 Result<ImageType> parse_image_type(const std::string& text);
 

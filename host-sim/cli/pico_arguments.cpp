@@ -1,4 +1,4 @@
-// Chooses the board, reads the program, plans as it does.
+// Chooses the board, reads the program, and plans as the program does.
 #include "cli/pico_arguments.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::string& o
   file.program = std::move(*read);
   const pico::Board& of_program = board_of(file.program, file.board);
   if (of_program.player_memory < file.board.player_memory) file.board = of_program;
-  std::error_code ignored;  // what is not there is not the same
+  std::error_code ignored;  // files that do not exist are not the same
   if (std::filesystem::equivalent(*arguments.program, output, ignored)) {
     return Failure{ExitStatus::usage, fmt::format("-o '{}' is the file of --with; name another one", output)};
   }
@@ -77,7 +77,7 @@ std::uint32_t left_of(const pico::Board& board, std::uint64_t kept) {
   return kept < board.player_memory ? static_cast<std::uint32_t>(board.player_memory - kept) : 1;
 }
 
-/// Whether the program's own plan fits, of a scene of which it keeps `kept` bytes besides.
+/// Returns the status of the program's own plan, for a scene of which the program keeps `kept` more bytes.
 Status planned_on_pico(const PlanRequest& request, const Staging& staging, std::uint64_t kept,
                        const pico::Board& board) {
   const View view{pico::kPanelSide, pico::kPanelSide, PixelFormat::rgb565_swapped, request.view.dither,

@@ -1,5 +1,5 @@
-// The options of `zstrip bake` for files for a Raspberry Pi Pico or Pico 2, and what the program there leaves to
-// choose.
+// The options of `zstrip bake` for files for a Raspberry Pi Pico or Pico 2, and the options that the program on the
+// board leaves open.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@
 
 namespace zstrip::sim {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct PicoArguments {
   std::optional<std::string> board;
   std::optional<std::string> program;
@@ -22,11 +22,11 @@ struct PicoArguments {
 
 void add_pico_options(CLI::App& command, PicoArguments& arguments);
 
-/// Fails if one of them is given: for other files.
+/// Fails if one of these options is given, because the output is another file.
 Result<Done> check_not_for_pico(const PicoArguments& arguments);
 
-/// What a file is for, and the program that it has besides. Where that has less memory than the option's board, it
-/// counts.
+/// The board of a file, and the program that is also in it. If the program is for a board with less memory than that of
+/// the option, the program's board is used.
 struct PicoFile {
   pico::Board board = pico::kPico;
   pico::Pages program;
@@ -35,11 +35,11 @@ struct PicoFile {
 /// `output`: must not be the program's file.
 Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::string& output);
 
-/// What the options leave open is as the program draws, which plans by itself.
+/// Sets the options that are not given to the program's own values, because the program plans by itself.
 PlanArguments plan_arguments_for_pico(PlanArguments plan);
 
-/// Within the memory of the program, with as many rows as it takes where they fit. Fails where no plan of the
-/// program's fits: it plans by itself, whatever the options say.
+/// Returns a request within the memory of the program, with the program's number of rows if it fits. Fails if none of
+/// the program's plans fits: it plans by itself, without the options.
 Result<PlanRequest> request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
                                      const Turn& turn, const PicoFile& file);
 

@@ -1,4 +1,4 @@
-// Options that a scene file or a baked scene may set as well.
+// Options that a scene file or a baked scene can also set.
 #include "cli/picture_arguments.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::string pixels(const std::optional<std::string>& given, const std::optional<
 
 PictureSettings settings_of_blob(const std::string& path) {
   const Result<BakedPicture> picture = picture_of_blob(path);
-  if (!picture) return {};  // what is wrong with it is said when the scene is opened
+  if (!picture) return {};  // errors are reported when the scene is opened
   const View& view = picture->view;
   PictureSettings settings;
   settings.size.emplace(view.width, view.height);
@@ -38,7 +38,7 @@ PictureSettings settings_of_blob(const std::string& path) {
 }  // namespace
 
 Result<PictureSettings> settings_of(const std::string& scene) {
-  std::error_code ignored;  // what is wrong with a path is said when the scene is opened
+  std::error_code ignored;  // errors of a path are reported when the scene is opened
   if (!std::filesystem::exists(scene, ignored)) return PictureSettings{};
   if (kind_of_scene(scene) == SceneKind::baked) return settings_of_blob(scene);
   if (kind_of_scene(scene) != SceneKind::composed) return PictureSettings{};

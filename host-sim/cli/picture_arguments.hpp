@@ -1,4 +1,4 @@
-// Options that a scene file may set as well: what is given on the command line wins.
+// Options that a scene file can also set: a value of the command line wins.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ class App;
 
 namespace zstrip::sim {
 
-/// [picture] of a scene file, the picture that a blob was baked for; nothing for other scenes.
+/// Returns [picture] of a scene file, or the picture that a blob was baked for; nothing for other scenes.
 Result<PictureSettings> settings_of(const std::string& scene);
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct ViewArguments {
   std::optional<std::string> size{};
   std::optional<std::string> format{};
@@ -28,31 +28,31 @@ struct ViewArguments {
   std::optional<std::uint32_t> samples{};
   std::optional<bool> edges{};
 };
-/// --format, --dither, --samples and --edges. `arguments` must live as long as the command.
+/// Adds --format, --dither, --samples and --edges. `arguments` must live as long as the command.
 void add_quality_options(CLI::App& command, ViewArguments& arguments);
 
-/// 320x240 in RGB565, not dithered, with one sample a pixel, by default.
+/// The default is 320x240 in RGB565, not dithered, with one sample a pixel.
 Result<View> parse_view(const ViewArguments& arguments, const PictureSettings& settings);
-/// Whether a picture of this size and format, which a panel has given, is dithered, and its samples.
+/// Adds dithering and samples to a view whose size and format are those of a panel.
 Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings& settings, const View& view);
 
-/// What with_edges is to do.
+/// Returns the argument of with_edges.
 std::optional<bool> parse_edges(const ViewArguments& arguments, const PictureSettings& settings);
-/// Of what with_edges is told, before the scene is known.
+/// Returns the effects for the argument of with_edges, before the scene is known.
 Effects edge_effects(const std::optional<bool>& edges);
 
 Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, const PictureSettings& settings);
 
-/// What has chosen the depth format, for messages: the option if it is given, or the scene file's key.
+/// Returns the source of the depth format, for messages: the option if it is given, or the scene file's key.
 std::string_view depth_option(const std::optional<std::string>& given);
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct MemoryArguments {
   std::optional<std::string> ram{};
   std::optional<std::string> strip_rows{};
   std::optional<std::string> strip_columns{};
 };
-/// Into the budget of a picture of this size; a usage error also where it cannot be cut so.
+/// Parses into the budget of a picture of this size; also a usage error if the picture cannot be divided like that.
 Result<Done> parse_memory(const MemoryArguments& arguments, const PictureSettings& settings, const View& view,
                           Budget& budget);
 

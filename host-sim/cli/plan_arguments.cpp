@@ -1,4 +1,4 @@
-// The options for what a picture is and what memory it may take.
+// The options for the picture and its memory.
 #include "cli/plan_arguments.hpp"
 
 #include <fmt/format.h>

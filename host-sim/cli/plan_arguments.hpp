@@ -1,4 +1,4 @@
-// The options for what a picture is and what memory it may take, shared by the commands that plan.
+// The options for the picture and its memory, shared by the commands that plan.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class App;
 
 namespace zstrip::sim {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct PlanArguments {
   ViewArguments view{};
   MemoryArguments memory{};
@@ -28,7 +28,7 @@ struct PlanArguments {
 /// Adds the options; `arguments` must live as long as the command.
 void add_plan_options(CLI::App& command, PlanArguments& arguments);
 
-/// What the options leave open is as in the scene, if it is a scene file.
+/// Settings of the scene, if it is a scene file, apply where the command line has no option.
 Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string& scene);
 
 }  // namespace zstrip::sim

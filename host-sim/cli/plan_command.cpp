@@ -1,4 +1,4 @@
-// `zstrip plan`: how much memory a picture takes, for what, and what more or less of it would cost in time.
+// `zstrip plan`: shows the memory of a picture by purpose, and the time with more or less memory.
 #include "cli/plan_command.hpp"
 
 #include <fmt/format.h>
@@ -26,12 +26,12 @@ namespace zstrip::sim {
 namespace {
 
 constexpr const char* kChosen = "auto";
-constexpr std::uint32_t kFramesOfTurn = 8;  // enough to see the sides of a thing that turns
+constexpr std::uint32_t kFramesOfTurn = 8;  // enough to show all sides of a rotating scene
 
 struct PlanCommandLine {
   std::string scene;
   PlanArguments plan;
-  std::optional<std::string> depth_format;  // kChosen: by the planner
+  std::optional<std::string> depth_format;  // kChosen: the planner chooses
   std::optional<double> separation;
   bool static_layer = false;
   bool json = false;
@@ -69,7 +69,7 @@ Result<PlanRequest> parse(const PlanCommandLine& arguments) {
   return request;
 }
 
-/// Of the scene with all that is asked for.
+/// Returns the effects of the scene with everything that is requested.
 Result<Effects> all_effects(Stage& stage, const PlanRequest& request) {
   const Result<Staging> staging = stage.place(0, 1);
   if (!staging) return staging.failure();
@@ -105,7 +105,7 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
         "of the light"};
   }
   if (arguments.static_layer) request->budget.layer = kept->layer();
-  // After keep_frames: it turned the stage, and what is placed lives until the next frame is.
+  // After keep_frames, which rotated the stage: a placed frame is valid only until the next one is placed.
   const Result<Staging> staging = (*stage)->place(0, 1);
   if (!staging) return staging.failure();
   const Result<PreparedScene> prepared = PreparedScene::of(*staging, request->method);
@@ -113,7 +113,7 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   std::optional<DepthAdvice> advice;
   if (kept->nearest > 0 && !request->method.has(method::painter)) {
     advice = advise_depth(*kept, staging->camera, request->view, arguments.separation);
-    // Edges are blended by z16 alone.
+    // Only z16 can blend edges.
     if (arguments.depth_format == kChosen && !edged) request->depth = advice->need(*kept);
   }
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
@@ -121,7 +121,7 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   choice->kept = *kept;
   choice->depth = advice;
   write_text(stdout, arguments.json ? plan_json(arguments.scene, *request, *choice)
-                                    : plan_table(arguments.scene, *request, *choice));  // main looks at the stream
+                                    : plan_table(arguments.scene, *request, *choice));  // main checks the stream
   return Done{};
 }
 

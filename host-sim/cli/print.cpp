@@ -1,4 +1,4 @@
-// What the command writes to stderr.
+// Writes messages to stderr.
 #include "cli/print.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 void print_line(std::string_view kind, std::string_view message) {
   hide_step();
-  // Where it cannot be written, the exit status still tells.
+  // If writing fails, the exit status still reports the failure.
   write_text(stderr, fmt::format("zstrip: {}{}\n", kind, printable(message)));
 }
 

@@ -1,4 +1,4 @@
-// What the command writes to stderr, always one line starting with "zstrip: ".
+// Writes messages to stderr, always one line that starts with "zstrip: ".
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace zstrip::sim {
 
-/// Control characters, which names of files may hold, are shown as '?'. Where stderr is closed or full, nothing is
-/// said.
+/// Shows control characters, which names of files may contain, as '?'. If stderr is closed or full, the message is
+/// lost.
 void print_warning(std::string_view message);
 
 /// Prints the message and returns the status as a number, for main's return value.

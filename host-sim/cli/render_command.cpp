@@ -36,7 +36,7 @@ namespace {
 constexpr std::uint32_t kMaxFrames = 10000;  // four digits in the names
 constexpr unsigned kMaxThreads = 256;
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct RenderCommandLine {
   DrawingArguments drawing;
   std::optional<std::string> output;
@@ -53,7 +53,7 @@ struct Job {
   unsigned threads = 1;
 };
 
-/// Of the picture that is written: the panel's glass, the strips, or what --show makes.
+/// Returns the format of the written picture: that of the panel's glass, of the strips, or of --show.
 PixelFormat shown_format(const Drawing& drawing) {
   if (drawing.visibility.show != Show::colour) return PixelFormat::rgb565;
   return drawing.panel ? PixelFormat::xrgb8888 : drawing.view.format;
@@ -84,7 +84,7 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   return Job{std::move(*drawing), std::move(*outputs), threads};
 }
 
-/// Why nothing of the scene is seen, or next to nothing of a model; empty: it is seen.
+/// Returns the reason why nothing of the scene is visible, or nearly nothing of a model; empty if it is visible.
 std::string words_of_emptiness(Stage& stage, const Job& job, const RunRecord& run) {
   const std::string too_small = job.drawing.camera.placed() ? "" : why_too_small(stage, job.drawing.view);
   const bool drawn =
@@ -102,7 +102,7 @@ std::string words_of_emptiness(Stage& stage, const Job& job, const RunRecord& ru
   return "nothing is seen in the picture: " + why_unseen(stage);
 }
 
-/// An empty picture looks like a mistake of the renderer.
+/// Explains an empty picture, which looks like an error of the renderer.
 void warn_if_empty(Stage& stage, const Job& job, RunRecord& run) {
   std::string warning = words_of_emptiness(stage, job, run);
   if (warning.empty()) return;
@@ -110,7 +110,7 @@ void warn_if_empty(Stage& stage, const Job& job, RunRecord& run) {
   run.warnings.push_back(std::move(warning));
 }
 
-/// What the real panel might not take, the bus's clock above all.
+/// Warns of inputs that the real panel might not accept, such as a fast clock.
 void warn_of_complaints(const PanelModel& panel, RunRecord& run) {
   for (const std::string& complaint : panel.complaints()) {
     run.warnings.push_back("the panel may not do this: " + complaint);
@@ -127,7 +127,7 @@ std::optional<PanelRecord> panel_record(const std::optional<PanelRequest>& panel
 /// The bytes of a file.
 using Picture = std::vector<std::uint8_t>;
 
-/// `kept`: of an animation's frames, which become a file together.
+/// `kept`: the frames of an animation, which are written as one file.
 Result<FrameRecord> render_frame(SceneDrawer& drawer, const Job& job, std::uint32_t frame, std::vector<Picture>& kept) {
   const Result<Staging> staging = drawer.stage().place(frame, job.outputs.frames);
   if (!staging) return staging.failure();
@@ -150,7 +150,8 @@ Result<FrameRecord> render_frame(SceneDrawer& drawer, const Job& job, std::uint3
   return record;
 }
 
-/// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
+/// Several frames are drawn, encoded and written on all threads, one frame on each thread. Of a single frame all
+/// threads draw the strips.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
   const Drawing& drawing = job.drawing;
   std::optional<StepReport> steps(std::in_place, !quiet);
@@ -166,7 +167,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
     if (!read) return read.failure();
     sets = std::move(*read);
   }
-  // Each frame begins with what the one before has seen.
+  // Each frame begins with the visible meshlets of the frame before.
   const unsigned threads = drawing.visibility.temporal ? 1 : std::min(job.threads, job.outputs.frames);
   const unsigned strip_threads = job.outputs.frames == 1 ? job.threads : 1;
   std::vector<SceneDrawer> drawers;
@@ -176,7 +177,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
     drawers.push_back(std::move(*drawer));
   }
   Progress progress(job.outputs.frames, !quiet);
-  std::mutex mutex;  // of the progress
+  std::mutex mutex;  // protects the progress
   std::uint32_t done = 0;
   std::vector<Picture> kept(job.outputs.is_animated() ? job.outputs.frames : 0);
   const auto draw = [&](unsigned thread, std::uint32_t frame) {
@@ -187,7 +188,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
     progress.show(++done);
     return Result<Done>(Done{});
   };
-  // The first one makes the folder, once it is known that the scene can be drawn.
+  // The first frame creates the folder, because it is then known that the scene can be drawn.
   if (const Result<Done> first = draw(0, 0); !first) return first.failure();
   const Result<Done> others = for_each_on_threads(
       job.outputs.frames - 1, threads, [&](unsigned thread, std::uint32_t index) { return draw(thread, index + 1); });
@@ -196,7 +197,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
     const Picture animation = animated_png(kept, milliseconds_of(**stage));
     if (const Result<Done> written = write_file(job.outputs.path, animation, "-o"); !written) return written.failure();
   }
-  // The panels of all drawers are alike.
+  // The panels of all drawers are equal.
   if (const SimulatedPanel* panel = drawers.front().panel()) warn_of_complaints(panel->model(), run);
   warn_if_empty(**stage, job, run);
   return run;
@@ -207,7 +208,7 @@ Result<Done> report(const RunRecord& run, const RenderCommandLine& arguments) {
   if (arguments.json) {
     const std::string json = to_json(run);
     if (json_on_stdout) {
-      write_text(stdout, json);  // main looks at the stream's state
+      write_text(stdout, json);  // main checks the stream's state
     } else if (const Result<Done> written = write_file(
                    *arguments.json, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}, "--json");
                !written) {

@@ -1,4 +1,4 @@
-// Draws the frames of a scene as the options ask, on one thread.
+// Draws the frames of a scene with the options, on one thread.
 #include "cli/scene_drawer.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ Result<std::unique_ptr<Stage>> open_scene(const std::string& scene, const Drawin
   if (stage) stage = with_edges(std::move(*stage), shows_picture ? drawing.edges : false, drawing.view);
   if (!stage) return stage;
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
-  // What is wrong is judged by the scene itself.
+  // Show::error compares with the scene itself, without the tree.
   if (frames > 1 && drawing.visibility.method.has(method::bsp) && drawing.visibility.show != Show::error) {
     stage = with_tree(std::move(*stage), frames);
   }

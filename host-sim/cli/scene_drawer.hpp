@@ -1,4 +1,4 @@
-// Draws the frames of a scene as the options ask, on one thread.
+// Draws the frames of a scene with the options, on one thread.
 #pragma once
 
 #include <cstddef>
@@ -21,23 +21,23 @@
 
 namespace zstrip::sim {
 
-/// The scene, with edges as asked for, and with the tree of all its frames where the method wants one. What the picture
-/// lacks is printed.
+/// Opens the scene, with the requested edges, and with the tree of all its frames if the method needs one. Prints the
+/// features that are missing in the picture.
 Result<std::unique_ptr<Stage>> open_scene(const std::string& scene, const Drawing& drawing, std::uint32_t frames);
 
-/// A frame, and what it took. `pixels` are the drawer's, until the next frame.
+/// A frame and its report. `pixels` belong to the drawer, and are valid until the next frame.
 struct DrawnFrame {
   FrameReport report;
   BusUse bus;
   View view;                          ///< of `pixels`
-  std::span<const std::byte> pixels;  ///< of the strips, or those of another Show
-  std::optional<ShownFrame> shown;    ///< of another Show than colour and accuracy
-  std::optional<HeatMap> heat = {};   ///< of Show::accuracy
+  std::span<const std::byte> pixels;  ///< of the strips, or of another Show
+  std::optional<ShownFrame> shown;    ///< for a Show other than colour and accuracy
+  std::optional<HeatMap> heat = {};   ///< for Show::accuracy
 };
 
 class SceneDrawer {
  public:
-  /// `drawing` and `sets` (null: none) must outlive the drawer. Fails where the panel does not start.
+  /// `drawing` and `sets` (null: none) must outlive the drawer. Fails if the panel does not start.
   static Result<SceneDrawer> open(const Drawing& drawing, std::unique_ptr<Stage> stage, const VisibleSetFile* sets,
                                   unsigned strip_threads);
 
@@ -45,9 +45,9 @@ class SceneDrawer {
   const Stage& stage() const { return *stage_; }
   const SimulatedPanel* panel() const { return panel_.get(); }
 
-  /// What stage().place() gave, perhaps with another camera.
+  /// Draws the result of stage().place(), perhaps with another camera.
   Result<DrawnFrame> draw(const Staging& staging, Show show);
-  /// Of its pixels or, with a panel and colours, what is seen on its glass. Fails where the glass is dark.
+  /// Encodes its pixels or, with a panel and colours, the picture on the panel's glass. Fails if the glass is dark.
   Result<std::vector<std::uint8_t>> encoded(ImageType type, const DrawnFrame& drawn) const;
 
  private:
@@ -56,7 +56,7 @@ class SceneDrawer {
   const Drawing* drawing_;
   std::unique_ptr<Stage> stage_;
   const VisibleSetFile* sets_;
-  std::unique_ptr<SimulatedPanel> panel_;  // or none
+  std::unique_ptr<SimulatedPanel> panel_;  // or null
   FrameRenderer renderer_;
 };
 

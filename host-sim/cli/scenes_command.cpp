@@ -1,4 +1,4 @@
-// `zstrip scenes`: the list of what is built in.
+// `zstrip scenes`: lists the built-in scenes.
 #include "cli/scenes_command.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ void add_scenes_command(CLI::App& app, int& exit_code) {
                             grouped(scene.counts.vertices), scene.description);
       }
     }
-    write_text(stdout, list);  // main looks at the stream's state
+    write_text(stdout, list);  // main checks the stream's state
     exit_code = static_cast<int>(ExitStatus::ok);
   });
 }

@@ -1,4 +1,4 @@
-// Finds a program beside this one and becomes it.
+// Finds a program next to this one and replaces this process by it.
 #include "cli/sibling_program.hpp"
 
 #include <fmt/format.h>

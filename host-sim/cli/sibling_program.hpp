@@ -1,5 +1,5 @@
-// Subcommands that are programs of their own beside the command: rendering, planning and baking need neither what
-// measures, zstrip-measure, nor the window, zstrip-view.
+// Subcommands that are separate programs next to the command: rendering, planning and baking need neither the
+// measurements, zstrip-measure, nor the window, zstrip-view.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct SiblingCommand {
   const char* name;
   const char* description;  ///< for help
   const char* program = "zstrip-measure";
-  const char* how = "build the target zstrip-measure";  ///< to have it
+  const char* how = "build the target zstrip-measure";  ///< how the user gets it
 };
 inline constexpr SiblingCommand kBenchCommand{"bench",
                                               "Measure instructions, time and memory of the benchmark workloads"};
@@ -30,11 +30,11 @@ inline constexpr SiblingCommand kViewCommand{
     .how = "install SDL 2 (libsdl2-dev), configure again and build the target zstrip-view"};
 inline constexpr std::array kSiblingCommands{kBenchCommand, kAccuracyCommand, kTuneCommand, kViewCommand};
 
-/// Adds them to the help of the command.
+/// Adds the subcommands to the help of the command.
 void add_sibling_commands(CLI::App& app);
 
-/// If the first word is one of them, its program takes the place of this process; only if that fails, this returns:
-/// an exit status, after saying why. Nothing if the first word is none of them.
+/// If the first word is one of them, replaces this process by its program. Returns only if that fails: an exit status,
+/// after it has printed the reason. Returns nothing for other words.
 std::optional<int> run_sibling_program(int argc, char** argv);
 
 }  // namespace zstrip::sim

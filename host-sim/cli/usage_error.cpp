@@ -26,7 +26,8 @@ std::vector<std::string> names_of_options(const CLI::App& app) {
   return names;
 }
 
-/// Of what was not parsed the first unknown option, or else the unknown command; empty if it is neither.
+/// Returns the first unknown option of the words that were not parsed, or else the unknown command; empty if there is
+/// none.
 std::string unknown(const CLI::App& app, const CLI::App& chosen) {
   std::vector<std::string> left = app.remaining(true);
   std::erase(left, "--");

@@ -1,4 +1,4 @@
-// What is wrong with a command line that cannot be parsed, and what to type instead.
+// Describes the error of a command line that cannot be parsed, and what to type instead.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,8 +6,8 @@
 
 namespace zstrip::sim {
 
-/// One line: of unknown options and commands the nearest known one, else the message of `error`; then where help is.
-/// `app`: the one that threw `error`.
+/// Returns one line: for unknown options and commands the nearest known one, else the message of `error`; then how to
+/// get help. `app`: the object that threw `error`.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// The options for how visibility is found, and what of it is shown.
+// The options for the visibility method, and for pictures of its work.
 #include "cli/visibility_arguments.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The options for how visibility is found, and what of it is shown.
+// The options for the visibility method, and for pictures of its work.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class App;
 
 namespace zstrip::sim {
 
-/// As given on the command line.
+/// The options as given on the command line.
 struct VisibilityArguments {
   std::optional<std::string> method;
   std::optional<std::uint32_t> iterations;
@@ -39,7 +39,7 @@ struct VisibilityRequest {
 /// Adds the options; `arguments` must live as long as the command.
 void add_visibility_options(CLI::App& command, VisibilityArguments& arguments);
 
-/// `settings`: the scene file's, each of which counts where the command line has none.
+/// `settings`: those of the scene file; each applies if the command line does not have the option.
 Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments, const VisibilitySettings& settings);
 
 }  // namespace zstrip::sim
