@@ -1,4 +1,4 @@
-// Composes a scene of what a scene file names: the order of the steps, instances, ellipsoids and lines.
+// Composes a scene from the parts that a scene file names: the order of the steps, instances, ellipsoids and lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::size_t kMaxSceneInstances = 65535, kMaxOutlines = 255;
 
-/// Rounded to nearest; false if it leaves the renderer's range.
+/// Rounds to nearest; returns false if the result is out of the renderer's range.
 bool to_transform(const Affine& from, Transform& to) {
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 4; ++column) {
@@ -40,7 +40,7 @@ bool to_transform(const Affine& from, Transform& to) {
   return true;
 }
 
-/// From the scene's origin to what a billboard can reach, however it is turned.
+/// Returns the largest distance from the scene's origin that a billboard can reach in any orientation.
 double radius_of_billboard(const Affine& at, std::span<const Vector> corners) {
   const Vector middle = at * Vector{0, 0, 0};
   double reach = 0;
@@ -110,7 +110,7 @@ class Composer {
     return Done{};
   }
 
-  /// Lists what will be instances, those of the static layer first.
+  /// Lists the instances to be, those of the static layer first.
   Result<Done> place() {
     for (const bool is_static : {true, false}) {
       for (const FileInstance& instance : file_.instances) {
@@ -161,7 +161,7 @@ class Composer {
     return Done{};
   }
 
-  /// The parts of the model that these lines are of, as an instance would have them.
+  /// Adds the parts of the model that these lines belong to, as if an instance placed them.
   Result<Done> place(const FileLines& lines) {
     FileInstance& instance = line_instances_.emplace_back();
     instance.line = lines.line;
@@ -181,7 +181,7 @@ class Composer {
     return Done{};
   }
 
-  /// A model's own lines and points, in its own colours.
+  /// Adds a model's own lines and points, in its own colours.
   Result<Done> place_lines(const FileInstance& file, const PlacedModel& model, std::size_t index) {
     if (model.lines.empty()) return Done{};
     if (file.moves() || file.is_static || file.billboard != Billboard::none) {
@@ -195,7 +195,7 @@ class Composer {
     instance.line = file.line;
     instance.placement = file.placement;
     for (std::size_t i = 0; i < model.lines.size(); ++i) {
-      // Meshes are told apart by their model and number.
+      // A mesh is identified by its model and number.
       const PlacedPart part{&instance, &model, &model.lines[i].part, index, model.parts.size() + i};
       if (Result<Done> checked = check_placed(part, file_.path); !checked) return checked;
       model_lines_.emplace_back(model.lines[i].segments, part);
@@ -203,7 +203,7 @@ class Composer {
     return Done{};
   }
 
-  /// The scene's units: everything within kComposedRadius, whenever it is looked at.
+  /// Sets the scene's units: the whole scene is within kComposedRadius, at any time.
   Result<Done> set_scale() {
     constexpr int kLooks = 64;
     double radius = 0;
@@ -239,7 +239,7 @@ class Composer {
     return Done{};
   }
 
-  /// [[lines]] of a model that has none but its own have nothing to join.
+  /// Refuses [[lines]] of a model that has only its own lines: it has no vertices to connect.
   Result<Done> check_has_triangles() const {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       if (!models_[i].parts.empty()) continue;
@@ -297,7 +297,7 @@ class Composer {
     if (!material) return material.failure();
     const double units = composed_->units.scale;
     Quadric quadric{.material = *material};
-    // Less than a few codes of 16.16 is nothing, or has no inverse, once it is rounded.
+    // A length of less than a few codes of 16.16 becomes 0 when it is rounded, or has no inverse.
     const bool is_thin = std::ranges::min(ellipsoid.placement.scale) * units < 4.0 / kFixedOne;
     if (is_thin || !to_transform(scaling({units, units, units}) * to_affine(ellipsoid.placement), quadric.transform)) {
       return at_line(file_.path, ellipsoid.line,
@@ -307,7 +307,7 @@ class Composer {
     return Done{};
   }
 
-  /// Of what does not move, whose mesh has its size: to the scene.
+  /// Returns the map to the scene of a part that does not move, whose mesh has the part's size.
   Affine still(const PlacedPart& placed, const Vector& scale) const {
     const double units = composed_->units.scale;
     return scaling({units, units, units}) * placed.at(0, duration_) *
@@ -390,10 +390,10 @@ class Composer {
   std::unique_ptr<ComposedScene> composed_;
   ComposedMeshes meshes_;
   ComposedMaterials materials_;
-  std::vector<PlacedModel> models_;  ///< of file_.models
+  std::vector<PlacedModel> models_;  ///< in the order of file_.models
   std::vector<PlacedPart> placed_;
   std::deque<ModelPart> billboard_parts_;
-  std::deque<FileInstance> line_instances_;  ///< what would place the models that lines are of
+  std::deque<FileInstance> line_instances_;  ///< instances that would place the models of lines
   std::vector<std::pair<const FileLines*, PlacedPart>> placed_lines_;
   std::vector<std::pair<std::span<const Segment>, PlacedPart>> model_lines_;
   std::vector<InstanceMotion> motions_;

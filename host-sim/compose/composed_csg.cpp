@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Of an instance that cannot be one.
+/// Returns the property that prevents an instance from being a solid.
 const char* what_no_solid_has(const ComposedScene& scene, const Instance& instance) {
   const Mesh& mesh = scene.meshes[instance.mesh];
   if (mesh.billboard != Billboard::none) return "is a billboard";
@@ -25,7 +25,7 @@ const char* what_no_solid_has(const ComposedScene& scene, const Instance& instan
   return "has a material that is not opaque";
 }
 
-/// The instance that is called `name`, of which there is one.
+/// Returns the instance with the name `name`, which must be unique.
 Result<std::uint16_t> solid(const SceneFile& file, const FileCsg& csg, const std::string& name,
                             std::span<const PlacedPart> placed, const ComposedScene& scene) {
   const auto wrong = [&](const std::string& what) {
@@ -53,7 +53,7 @@ Result<std::uint16_t> solid(const SceneFile& file, const FileCsg& csg, const std
 
 std::size_t open_edges(const Mesh& mesh) {
   using Place = std::tuple<std::int16_t, std::int16_t, std::int16_t>;
-  std::map<std::pair<Place, Place>, int> edges;  // how much more often in this direction than in the other
+  std::map<std::pair<Place, Place>, int> edges;  // number in this direction minus number in the other one
   const auto place = [&mesh](std::uint16_t vertex) {
     const Position& p = mesh.positions[vertex];
     return Place{p.x, p.y, p.z};

@@ -1,4 +1,4 @@
-// CSG of a composed scene: which instances they are of, and whether those can be solids.
+// CSG of a composed scene: finds the instances of products, and checks that they can be solids.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,12 @@
 
 namespace zstrip::sim {
 
-/// Edges of a mesh's triangles that no other triangle has in the other direction, where corners in one place count as
-/// one; 0 of what is closed.
+/// Counts edges of a mesh's triangles that no other triangle has in the other direction, where corners in one place
+/// count as one. Returns 0 for a closed mesh.
 std::size_t open_edges(const Mesh& mesh);
 
-/// Adds the products of the scene file. `placed`: what the composed instances are. Failures name the line of a [[csg]].
+/// Adds the products of the scene file. `placed`: the parts of the composed instances. Failures say the line of a
+/// [[csg]].
 Result<Done> add_products(const SceneFile& file, std::span<const PlacedPart> placed, ComposedScene& scene);
 
 }  // namespace zstrip::sim

@@ -1,5 +1,5 @@
-// Welds vertices, and finds for each the normal v with v . n = 1 for the normals n of the faces around it, in the sense
-// of least squares.
+// Joins equal vertices. Finds for each the normal v with v . n = 1 for the normals n of the faces around it, as the
+// solution of least squares.
 #include "compose/composed_hull.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Vector cross(const Vector& a, const Vector& b) {
 Vector less(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
-/// The faces around a vertex: sum of the normals, and of their products, weighted by the angle of each face.
+/// The faces around a vertex: sums of the normals and of their products, weighted by the angle of each face.
 struct Corner {
   Vector sum{0, 0, 0};
   std::array<Vector, 3> products{};
@@ -41,7 +41,8 @@ struct Corner {
   }
 };
 
-/// Least squares of v . n = 1, with a little pull to the mean direction, which decides what no face determines.
+/// Solves v . n = 1 by least squares. A small weight for the mean direction determines components that no face
+/// determines.
 Vector mitre(const Corner& corner) {
   const double mean_length = length(corner.sum);
   if (!(mean_length > 1e-9)) return {0, 0, 0};  // faces back to back
@@ -57,7 +58,7 @@ Vector mitre(const Corner& corner) {
           dot(m[0], cross(m[1], right)) / determinant};
 }
 
-/// 1.7, shortened where a component would not fit.
+/// Converts to 1.7; shortens the vector if a component would not fit.
 Normal to_normal(const Vector& v) {
   const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2]), 1.0});
   const auto component = [&](std::size_t axis) {

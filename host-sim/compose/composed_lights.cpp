@@ -1,4 +1,4 @@
-// Lights and fog of a composed scene: the file's, in the scene's units.
+// Converts the file's lights and fog to the scene's units.
 #include "compose/composed_lights.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool to_fixed_if_it_fits(double value, Fixed& fixed) {
   return fits;
 }
 
-/// In which the light shines: 1.15, `unit` long.
+/// The direction in which the light shines: 1.15, with length `unit`.
 struct Direction {
   std::int16_t x = 0, y = 0, z = 0;
 };
@@ -32,7 +32,7 @@ Direction to_direction(const Vector& v, double unit) {
   return {component(0), component(1), component(2)};
 }
 
-/// False if it is too far away or too strong for the scene's units.
+/// Returns false if the light is too far away or too strong for the scene's units.
 bool to_punctual(const FileLight& from, double units, PunctualLight& to) {
   to.type = *from.punctual;
   to.colour = from.colour;

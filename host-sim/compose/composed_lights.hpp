@@ -1,11 +1,11 @@
-// Lights and fog of a composed scene: the file's, in the scene's units.
+// Converts the file's lights and fog to the scene's units.
 #pragma once
 
 #include "compose/composed_scene.hpp"
 
 namespace zstrip::sim {
 
-/// Both add to `scene`, whose units are set. Failures name the line of what does not fit them.
+/// Both functions add to `scene`, whose units must be set. Failures say the line of a value that is out of range.
 Result<Done> add_lights(const SceneFile& file, ComposedScene& scene);
 Result<Done> add_fog(const SceneFile& file, ComposedScene& scene);
 

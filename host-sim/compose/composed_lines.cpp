@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Of each vertex the first in the same place.
+/// Returns, for each vertex, the first vertex in the same place.
 std::vector<std::uint16_t> first_in_place(const Mesh& mesh) {
   std::map<std::tuple<std::int16_t, std::int16_t, std::int16_t>, std::uint16_t> places;
   std::vector<std::uint16_t> first;
@@ -61,7 +61,7 @@ Mesh mesh_of(std::span<const Vector> vertices, MeshData& own) {
   Fixed* const half[3] = {&mesh.half_extent.x, &mesh.half_extent.y, &mesh.half_extent.z};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     *centre[axis] = to_fixed((low[axis] + high[axis]) / 2);
-    *half[axis] = to_fixed((high[axis] - low[axis]) / 2) + 2;  // nothing lies outside, whatever has been rounded
+    *half[axis] = to_fixed((high[axis] - low[axis]) / 2) + 2;  // all vertices are inside after rounding
   }
   for (const Vector& vertex : vertices) {
     const auto coordinate = [&](std::size_t axis) {

@@ -1,4 +1,4 @@
-// Lines and points of a composed scene: what joins the vertices of a model, and meshes of vertices of their own.
+// Lines and points of a composed scene: connections of a model's vertices, and meshes of separate vertices.
 #pragma once
 
 #include <span>
@@ -10,12 +10,13 @@
 
 namespace zstrip::sim {
 
-/// Each edge of the mesh's triangles once, also where its vertices are there more than once, as at seams of textures.
+/// Returns each edge of the mesh's triangles once, also if its vertices occur more than once, as at seams of textures.
 std::vector<Segment> edges_of(const Mesh& mesh);
-/// Each place of a vertex once, as a point.
+/// Returns each place of a vertex once, as a point.
 std::vector<Segment> points_of(const Mesh& mesh);
 
-/// A mesh of these vertices, in units of the scene, at most 65,535. `own` gets what it views.
+/// Returns a mesh of these vertices, in units of the scene, at most 65,535. `own` gets the data that the mesh refers
+/// to.
 Mesh mesh_of(std::span<const Vector> vertices, MeshData& own);
 
 }  // namespace zstrip::sim

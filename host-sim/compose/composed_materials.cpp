@@ -167,8 +167,8 @@ void ComposedMaterials::add_levels(Texture& texture) {
   texture.smaller_levels = levels;
 }
 
-/// Gives the material what few have, if it has any of it: its model's own, with what `by` replaces. False if the table
-/// is full.
+/// Sets the material's finish if it needs one: its model's own, with the values that `by` replaces. Returns false if
+/// the table is full.
 bool ComposedMaterials::set_finish(Material& material, const Finish& own, const FileMaterial& by) {
   const bool has_own = material.finish != kNoFinish;
   if (!has_own && !by.has_finish()) return true;

@@ -16,16 +16,16 @@ namespace zstrip::sim {
 
 class ComposedMaterials {
  public:
-  /// Adds to `scene`.
+  /// Materials are added to `scene`.
   ComposedMaterials(const SceneFile& file, ComposedScene& scene) : file_(file), scene_(scene) {}
 
-  /// The index of the part's material, with what the scene file replaces in it.
+  /// Returns the index of the part's material, with the values that the scene file replaces.
   Result<std::uint16_t> index_of(const PlacedPart& placed);
-  /// Of an ellipsoid, which has no model's material to begin with.
+  /// Returns the index of the material of an ellipsoid, which has no material of a model.
   Result<std::uint16_t> index_of(const FileMaterial& material);
-  /// What replaces the part's material; null if nothing does.
+  /// Returns the values that replace the part's material; null if there are none.
   const FileMaterial* override_of(const PlacedPart& placed) const;
-  /// Whether something in the file gives a texture to parts of the model of this name.
+  /// True if the file gives a texture to parts of the model with this name.
   bool may_texture(const std::string& model) const;
 
  private:

@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Normals of a surface that is scaled: by the inverse, and as long as before.
+/// Scales the normals of a scaled surface: by the inverse, with unchanged length.
 std::vector<Normal> scaled_normals(std::span<const Normal> normals, const Vector& scale) {
   std::vector<Normal> result;
   for (const Normal& n : normals) {
@@ -37,7 +37,7 @@ Vector ComposedMeshes::scale_of(const PlacedPart& placed) {
     const double own = is_diagonal(to_file) ? std::abs(to_file.m[axis][axis]) : 1;
     scale[axis] *= scene_.units.scale * own;
   }
-  // A mesh that is there already and has nearly this size will do.
+  // An existing mesh with nearly this size is used again.
   const auto known = first_scales_.try_emplace({placed.model_index, placed.part_index}, scale).first->second;
   const double ratio = scale[0] / known[0];
   const bool similar = placed.scaled_evenly() && ratio > 1.0 / 16 && ratio < 16 &&

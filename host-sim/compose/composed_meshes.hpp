@@ -13,26 +13,26 @@
 
 namespace zstrip::sim {
 
-/// Outline::hull where a mesh has too many vertices for one.
+/// For Outline::hull if a mesh has too many vertices for one hull.
 inline constexpr std::uint16_t kNoHull = kOwnMesh - 1;
 
 class ComposedMeshes {
  public:
-  /// Adds to `scene`, whose units are set.
+  /// Meshes are added to `scene`, whose units must be set.
   explicit ComposedMeshes(ComposedScene& scene) : scene_(scene) {}
 
-  /// The size of a part in the scene, which goes into its mesh, so that what turns it has all its bits.
+  /// Returns the size of a part in the scene, which is applied to its mesh, so that its rotation keeps full precision.
   Vector scale_of(const PlacedPart& placed);
-  /// The index of the mesh of this size, with the outline that the instance has.
+  /// Returns the index of the mesh with this size and with the outline of the instance.
   std::uint16_t index_of(const PlacedPart& placed, const Vector& scale);
 
  private:
-  /// The index of the hull of this mesh.
+  /// Returns the index of the hull of this mesh.
   std::uint16_t hull_of(const PlacedPart& placed, const Mesh& mesh, const Vector& scale);
 
   ComposedScene& scene_;
   std::map<std::pair<std::size_t, std::size_t>, Vector> first_scales_;
-  /// Part, size, what it is as a billboard, the width of its outline and its colour, what it has to do with shadows.
+  /// Part, size, kind of billboard, width and colour of its outline, role for shadows.
   using Key =
       std::tuple<std::size_t, std::size_t, Vector, Billboard, std::uint16_t, std::array<std::uint8_t, 3>, ShadowRole>;
   std::map<Key, std::uint16_t> known_;

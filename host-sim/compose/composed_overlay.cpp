@@ -16,14 +16,14 @@
 namespace zstrip::sim {
 namespace {
 
-/// 0..255: the image's alpha, or how bright it is if it has none.
+/// Returns 0..255: the image's alpha, or its brightness if it has no alpha.
 std::uint32_t coverage_of(const RgbImage& image, std::uint32_t x, std::uint32_t y) {
   if (!image.alpha.empty()) return image.alpha_at(x, y);
   const std::uint8_t* const p = image.pixel(x, y);
   return (77U * p[0] + 150U * p[1] + 29U * p[2] + 128U) >> 8;
 }
 
-/// Rows of this many bits a pixel, rounded to nearest.
+/// Returns rows with this many bits a pixel, rounded to nearest.
 std::vector<std::uint8_t> packed_coverage(const RgbImage& image, std::uint32_t bits) {
   const std::uint32_t row_bytes = (image.width * bits + 7) / 8, most = (1U << bits) - 1;
   std::vector<std::uint8_t> bytes(std::size_t{row_bytes} * image.height);

@@ -6,7 +6,7 @@
 
 namespace zstrip::sim {
 
-/// Adds those of the scene file, with images that they name and fonts. Failures name the line of a [[sprite]].
+/// Adds the scene file's sprites and labels, with their images and fonts. Failures say the line of a [[sprite]].
 Result<Done> add_overlay(const SceneFile& file, ComposedScene& scene);
 
 }  // namespace zstrip::sim

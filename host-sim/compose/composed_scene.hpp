@@ -1,4 +1,4 @@
-// A scene file and everything that it names, as one scene in the renderer's formats.
+// A scene file and all files that it names, as one scene in the renderer's formats.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@
 
 namespace zstrip::sim {
 
-/// How far from the origin the farthest thing is in the scene's units: far enough from 1 that turns and scales keep
-/// their bits, near enough that cameras have room outside.
+/// Distance from the origin to the farthest point in the scene's units: large enough that rotations and scales keep
+/// their precision, small enough that cameras have room outside.
 inline constexpr double kComposedRadius = 8;
 
-/// Owns what its views view; stays where it is.
+/// Owns the data that its views refer to; must not be moved.
 struct ComposedScene {
   ComposedScene() = default;
   ComposedScene(const ComposedScene&) = delete;
@@ -50,16 +50,16 @@ struct ComposedScene {
   FittedAnimation animation;
   Units units;  ///< of the file's lengths
   std::vector<std::string> material_names;
-  std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model that it comes from
+  std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model of the material
   std::string fog_origin, shadow_origin, csg_origin;
   std::vector<std::string> warnings;
 
   std::deque<Model> models;
   std::deque<MeshData> scaled;         ///< normals and meshlets of meshes that are scaled unevenly
   std::deque<MeshData> hulls;          ///< of meshes with outlines
-  std::deque<MeshData> line_vertices;  ///< of lines that have vertices of their own
+  std::deque<MeshData> line_vertices;  ///< of lines with separate vertices
   std::deque<std::vector<Segment>> segments;
-  std::deque<std::vector<std::uint16_t>> texels;   ///< of textures and images that the scene file names itself
+  std::deque<std::vector<std::uint16_t>> texels;   ///< of textures and images that the scene file itself names
   std::deque<std::vector<std::uint8_t>> coverage;  ///< of images
   std::deque<std::string> texts;                   ///< of labels
 
@@ -84,7 +84,7 @@ struct ComposedScene {
   }
 };
 
-/// Reads the models and textures that `file` names. Failures name the line that is to blame, or the file that is.
+/// Reads the models and textures that `file` names. Failures say the line with the error, or the file.
 Result<std::unique_ptr<const ComposedScene>> compose(const SceneFile& file);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Reads an expression of solids and multiplies it out; see csg_expression.hpp.
+// Parses an expression of solids and expands it; see csg_expression.hpp.
 #include "compose/csg_expression.hpp"
 
 #include <fmt/format.h>
@@ -14,14 +14,15 @@
 namespace zstrip::sim {
 namespace {
 
-/// Of a solid, by its number in Parser::names(): twice the number, and 1 more where it is subtracted.
+/// A solid, by its index in Parser::names(): twice the index, plus 1 if it is subtracted.
 using Term = std::size_t;
 using Product = std::vector<Term>;
 using Products = std::vector<Product>;
 
-/// Far more than are drawn, because many of them may lie in others.
+/// More than can be drawn, because many of them may be contained in others.
 constexpr std::size_t kMaxProducts = 1024;
-/// Terms that are looked at. Each product is compared with all others, so that a short text could take minutes.
+/// Limit for the terms that are examined. Each product is compared with all others, so that a short text could take
+/// minutes.
 constexpr std::uint64_t kMaxSteps = 2'000'000;
 constexpr int kDeepest = 64;
 
@@ -59,7 +60,7 @@ class Parser {
     return named;
   }
 
-  /// Of an expression that has been read, each once.
+  /// Returns the names in a parsed expression, each once.
   const std::vector<std::string>& names() const { return names_; }
 
  private:
@@ -129,7 +130,7 @@ class Parser {
     return std::ranges::all_of(outer, [&](Term term) { return has(inner, term); });
   }
 
-  /// Both together; nothing where that is empty.
+  /// Returns the intersection; nothing if it is always empty.
   std::optional<Product> both(const Product& a, const Product& b) {
     steps_ += a.size();
     Product product = a;
@@ -140,7 +141,7 @@ class Parser {
     return product;
   }
 
-  /// Adds a product, unless it lies in one that is there; those that lie in it go.
+  /// Adds a product unless it is contained in another one; removes products that are contained in it.
   void add(Products& sum, const Product& product) {
     if (std::ranges::any_of(sum, [&](const Product& known) { return lies_in(product, known); })) return;
     std::erase_if(sum, [&](const Product& known) { return lies_in(known, product); });
@@ -158,7 +159,7 @@ class Parser {
     return result;
   }
 
-  /// What is outside of a product is outside of one of its solids.
+  /// A point outside of a product is outside of one of its solids.
   Products less(Products a, const Products& b) {
     for (const Product& product : b) {
       Products outside;
@@ -168,7 +169,7 @@ class Parser {
     return a;
   }
 
-  /// Whether to go on.
+  /// Returns false if the limits are exceeded.
   bool check(const Products& products) {
     if (products.size() > kMaxProducts) fail(fmt::format("multiplied out it has more than {} products", kMaxProducts));
     if (steps_ > kMaxSteps) fail("it is too long when it is multiplied out; make several [[csg]] of it");
@@ -177,13 +178,13 @@ class Parser {
   void fail(const std::string& what) {
     if (wrong_.empty()) wrong_ = what;
   }
-  /// 0 at the end; a character of the text may be 0, too.
+  /// Returns 0 at the end; a character of the text may also be 0.
   char peek_here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
   bool at_end() {
     peek();
     return at_ == text_.size();
   }
-  /// What stands here, in words.
+  /// Describes the text at this position.
   std::string here() {
     const auto c = static_cast<unsigned char>(peek());
     return c < 0x20 || c == 0x7F ? fmt::format("the character {}", c) : fmt::format("'{}'", peek());

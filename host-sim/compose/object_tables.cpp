@@ -1,5 +1,5 @@
-// What a scene file places: [[model]], [[instance]] with its keyframes, [[ellipsoid]], [[lines]] and
-// [[points]], [[csg]].
+// The objects of a scene file: [[model]], [[instance]] with its keyframes, [[ellipsoid]], [[lines]] and [[points]],
+// [[csg]].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void add_key(Curve<Value>& curve, double time, const std::optional<Value>& value
   curve.values.push_back(*value);
 }
 
-/// Of an instance or a keyframe of it.
+/// Refuses a rotation of an instance or of its keyframe.
 void refuse_rotation(TomlTable& table, Billboard billboard) {
   if (billboard != Billboard::viewer) return;
   for (const char* key : {"rotation", "quaternion"}) {

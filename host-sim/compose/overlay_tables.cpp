@@ -1,4 +1,4 @@
-// What a scene file draws over the picture: [[sprite]] and [[label]].
+// The overlay of a scene file: [[sprite]] and [[label]].
 #include "compose/scene_tables.hpp"
 #include "zstrip/overlay.hpp"
 
@@ -13,7 +13,7 @@ std::int16_t read_place(TomlTable& table, const char* key) {
   return static_cast<std::int16_t>(table.integer(key, INT16_MIN, INT16_MAX).value_or(0));
 }
 
-/// `key` and the alpha of its own.
+/// Reads `key`, and alpha from a separate key.
 Colour read_colour(TomlTable& table, const char* key, const char* alpha, const Colour& without) {
   Colour colour = table.colour(key).value_or(without);
   colour.a = static_cast<std::uint8_t>(table.integer(alpha, 0, 255).value_or(table.has(key) ? 255 : without.a));

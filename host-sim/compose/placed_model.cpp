@@ -1,4 +1,4 @@
-// A model of a scene file: its parts, as they lie in the coordinates that the scene file places.
+// A model of a scene file: its parts in the coordinates that the scene file places.
 #include "compose/placed_model.hpp"
 
 #include <fmt/format.h>

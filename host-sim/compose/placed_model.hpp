@@ -1,4 +1,4 @@
-// A model of a scene file: its parts, as they lie in the coordinates that the scene file places.
+// A model of a scene file: its parts in the coordinates that the scene file places.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ namespace zstrip::sim {
 
 struct ModelPart {
   Mesh mesh;
-  std::uint16_t material = 0;  ///< of PlacedModel::materials
+  std::uint16_t material = 0;  ///< index into PlacedModel::materials
   Affine to_file;              ///< from the mesh's object space to the model's coordinates, at rest
   std::int32_t node = kNoNode;
 };
 
-/// Lines or points of a model, which are no edges of triangles. They stand still.
+/// Lines or points of a model that are not edges of triangles. They do not move.
 struct LinePart {
-  ModelPart part;  ///< its mesh has vertices alone
+  ModelPart part;  ///< its mesh has only vertices
   std::span<const Segment> segments;
 };
 
-/// Views the Model that it was made of, or a built-in scene.
+/// Refers to the Model from which it was made, or to a built-in scene.
 struct PlacedModel {
   std::vector<ModelPart> parts;
   std::vector<LinePart> lines{};
@@ -34,17 +34,18 @@ struct PlacedModel {
   std::span<const Texture> textures;
   std::span<const Finish> finishes;
   std::vector<std::string> material_names;
-  const Model* model = nullptr;              ///< null: built in
-  const NodeAnimation* animation = nullptr;  ///< null: stands still
+  const Model* model = nullptr;              ///< null: a built-in scene
+  const NodeAnimation* animation = nullptr;  ///< null: no motion
 
   bool moves(const ModelPart& part) const {
     return animation != nullptr && part.node != kNoNode && model->tree.moves(*animation, part.node);
   }
-  /// From the part's object space to the model's coordinates. Animations shorter than the time begin again.
+  /// Returns the map from the part's object space to the model's coordinates. An animation that is shorter than the
+  /// time is repeated.
   Affine placed(const ModelPart& part, double seconds) const;
 };
 
-/// `model`: import_model's of the same entry.
+/// `model`: the result of import_model for the same entry.
 Result<PlacedModel> place_model(const FileModel& entry, const Model& model, const std::filesystem::path& scene);
 Result<PlacedModel> place_built_in(const FileModel& entry, const std::filesystem::path& scene);
 

@@ -1,4 +1,4 @@
-// One part of a model where an instance of the scene file places it: what becomes an instance of the composed scene.
+// A part of a model that an instance of the scene file places. It becomes an instance of the composed scene.
 #include "compose/placed_part.hpp"
 
 #include "import/quantise.hpp"
@@ -6,7 +6,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Where the scene file puts an instance at a time.
+/// Returns the scene file's placement of an instance at a time.
 Affine placement_at(const FileInstance& instance, double seconds, double duration) {
   Placement placement = instance.placement;
   if (!instance.translation.times.empty()) placement.translation = sample(instance.translation, seconds);

@@ -1,4 +1,4 @@
-// One part of a model where an instance of the scene file places it: what becomes an instance of the composed scene.
+// A part of a model that an instance of the scene file places. It becomes an instance of the composed scene.
 #pragma once
 
 #include <cstddef>
@@ -22,15 +22,15 @@ struct PlacedPart {
     const Vector& scale = file->placement.scale;
     return scale[0] == scale[1] && scale[1] == scale[2];
   }
-  /// From object space to the scene file's coordinates. `duration`: of the scene's animation.
+  /// Returns the map from object space to the scene file's coordinates. `duration`: of the scene's animation.
   Affine at(double seconds, double duration) const;
 };
 
-/// The same part with its mesh moved instead of itself, so that it turns about the model's origin. Its map to the
-/// model's coordinates is diagonal.
+/// Returns the part with its map to the model's coordinates, which is diagonal, applied to its mesh. The part then
+/// rotates about the model's origin.
 ModelPart around_origin(const ModelPart& part);
 
-/// Whether this part can be placed like this; the failure names the line of the instance in `scene`.
+/// Checks that this part can be placed; the failure says the line of the instance in `scene`.
 Result<Done> check_placed(const PlacedPart& placed, const std::filesystem::path& scene);
 
 }  // namespace zstrip::sim

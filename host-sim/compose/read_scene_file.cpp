@@ -1,4 +1,4 @@
-// A scene file as a whole: syntax, the tables that it has, and their references to each other.
+// Reads a complete scene file: syntax, tables, and the references between them.
 #include <toml++/toml.h>
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kMaxBytes = 16U << 20;
 
-/// Names of models or materials; each may be there once.
+/// Checks names of models or materials; each must be unique.
 template <typename Entry>
 std::vector<std::string> names_of(const std::vector<Entry>& entries, const char* what, TomlErrors& errors) {
   std::vector<std::string> names;
@@ -38,7 +38,7 @@ void check_name(const std::string& name, const std::vector<std::string>& names, 
   if (!name.empty() && std::ranges::find(names, name) == names.end()) table.wrong_name(key, name, what, names);
 }
 
-/// The renderer refuses what an ellipsoid would be drawn without.
+/// Refuses properties of materials that the renderer does not draw on ellipsoids.
 void check_ellipsoid(const FileEllipsoid& ellipsoid, const SceneFile& scene, TomlErrors& errors) {
   const auto material = std::ranges::find(scene.materials, ellipsoid.material, &FileMaterial::name);
   if (material == scene.materials.end()) return;
@@ -59,7 +59,7 @@ void check_ellipsoid(const FileEllipsoid& ellipsoid, const SceneFile& scene, Tom
   }
 }
 
-/// Likewise of lines and points.
+/// Refuses properties of materials that the renderer does not draw on lines and points.
 void check_lines(const FileLines& lines, const SceneFile& scene, TomlErrors& errors) {
   const auto material = std::ranges::find(scene.materials, lines.material, &FileMaterial::name);
   if (material == scene.materials.end() || (!material->has_finish() && !material->texture)) return;
@@ -69,7 +69,7 @@ void check_lines(const FileLines& lines, const SceneFile& scene, TomlErrors& err
                          lines.title(), material->name));
 }
 
-/// Names of instances need not be different, but for those of solids.
+/// Names of instances need not be unique, except names of solids.
 void check_csg(const FileCsg& csg, const SceneFile& scene, TomlTable& table) {
   std::vector<std::string> names;
   for (const FileInstance& instance : scene.instances) {

@@ -1,4 +1,4 @@
-// Settings that are gone: what an error says to do instead.
+// Removed settings, and the advice of error messages about them.
 #pragma once
 
 #include <string_view>
@@ -6,7 +6,7 @@
 
 namespace zstrip::sim {
 
-/// Advice for a setting or a value that is gone; empty if `word` never was one.
+/// Returns advice for a removed setting or value; empty if `word` never was one.
 constexpr std::string_view instead_of(std::string_view word) {
   constexpr std::pair<std::string_view, std::string_view> kGone[] = {
       {"z32", "use z24"},

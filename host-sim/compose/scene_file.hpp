@@ -1,4 +1,4 @@
-// The contents of a scene file (.toml), before anything that it names is read. docs/scenes.md has every key.
+// The contents of a scene file (.toml), before the files that it names are read. docs/scenes.md has every key.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 
 namespace zstrip::sim {
 
-/// The keys of [picture] for how visibility is found: names as on the command line.
+/// The keys of [picture] for the visibility method: names as on the command line.
 struct VisibilitySettings {
   std::optional<std::string> method{};
   std::optional<std::uint32_t> iterations{};
@@ -30,15 +30,15 @@ struct VisibilitySettings {
   std::optional<std::string> sets{};  ///< a path relative to the scene file's folder, or an absolute one
 };
 
-/// [picture]: what the options of the command line are without them.
+/// [picture]: values for options that are not on the command line.
 struct PictureSettings {
   std::optional<std::pair<std::uint16_t, std::uint16_t>> size;
   std::optional<PixelFormat> format;
   std::optional<bool> dither;
   std::optional<std::uint8_t> samples;  ///< 1, 2 or 4
-  std::optional<bool> edges;            ///< of all meshes are anti-aliased
+  std::optional<bool> edges;            ///< edges of all meshes are anti-aliased
   std::optional<DepthFormat> depth_format;
-  std::optional<Effects> perspective;  ///< of effect::perspective_runs
+  std::optional<Effects> perspective;  ///< one of effect::perspective_runs
   VisibilitySettings visibility;
   std::optional<std::uint16_t> strip_rows;
   std::optional<std::uint16_t> strip_columns;
@@ -50,14 +50,14 @@ struct PictureSettings {
 struct FileCamera {
   int line = 0;
   std::optional<Vector> eye;
-  std::optional<double> radius;  ///< > 0; of a spherical camera
+  std::optional<double> radius;  ///< > 0; for spherical coordinates
   double phi = 0, theta = 90;    ///< degrees
   Vector look_at{0, 0, 0};
   Vector up{0, 1, 0};
-  int projection_line = 0;  ///< where `orthographic` comes from
+  int projection_line = 0;  ///< line of the key that set `orthographic`
   bool orthographic = false;
   std::optional<double> field_of_view;  ///< degrees
-  std::optional<double> half_height;    ///< of what an orthographic camera shows
+  std::optional<double> half_height;    ///< half the height that an orthographic camera shows
   std::optional<double> near_plane, far_plane;
 };
 
@@ -67,34 +67,34 @@ struct FileModel {
   std::string name;
   std::filesystem::path file;  ///< relative to the scene file's folder
   std::string built_in;
-  int file_line = 0;           ///< of whichever is set
-  std::optional<UpAxis> up{};  ///< empty: as the format says
+  int file_line = 0;           ///< line of `file` or `built_in`
+  std::optional<UpAxis> up{};  ///< empty: the axis of the format
   std::optional<std::string> animation;
   int animation_line = 0;
 };
 
-/// [[material]]: what is set replaces what the model's material has.
+/// [[material]]: values that are set replace those of the model's material.
 struct FileMaterial {
   int line = 0;
   std::string name;
   std::optional<Colour> colour;
   std::optional<std::filesystem::path> texture;
-  bool mirrors = false;  ///< `texture` is that of the key `environment`
+  bool mirrors = false;  ///< `texture` is the value of the key `environment`
   int texture_line = 0;
   std::optional<bool> lit, double_sided, depth_write;
-  std::optional<Shading> smooth;  ///< of the key `shading`, or of `smooth`
+  std::optional<Shading> smooth;  ///< value of the key `shading` or `smooth`
   std::optional<Colour> emissive, specular;
   std::optional<std::uint8_t> shininess, alpha, alpha_cutoff;  ///< alpha: of the colour
   std::optional<AlphaMode> alpha_mode;
   std::optional<TextureFilter> filter;
-  std::optional<TextureFormat> palette;  ///< of `texture`: palette8 or palette4
-  std::optional<bool> mipmaps;           ///< of `texture`, or else of the model's own
+  std::optional<TextureFormat> palette;  ///< for `texture`: palette8 or palette4
+  std::optional<bool> mipmaps;           ///< for `texture`, or else for the model's own texture
   int mipmaps_line = 0;
   std::optional<DepthTest> depth_test;
   std::optional<std::int32_t> depth_bias;
-  int depth_line = 0;  ///< of the first key about depth
+  int depth_line = 0;  ///< line of the first key about depth
 
-  /// Whether it sets what few materials have (Finish).
+  /// True if it sets values that need a Finish.
   bool has_finish() const {
     return emissive || specular || shininess || alpha_mode || alpha_cutoff || filter || palette ||
            mipmaps.value_or(false) || mirrors;
@@ -119,15 +119,15 @@ struct FileOutline {
 struct FileInstance {
   int line = 0;
   std::string name, model;
-  std::string material;                                        ///< for all of the model; may be empty
-  std::vector<std::pair<std::string, std::string>> materials;  ///< the model's name of one, and what replaces it
+  std::string material;                                        ///< for the whole model; may be empty
+  std::vector<std::pair<std::string, std::string>> materials;  ///< the model's name of a material, and its replacement
   Placement placement;
   bool is_static = false;
   Billboard billboard = Billboard::none;
   std::optional<FileOutline> outline;
   ShadowRole shadow = ShadowRole::casts_and_receives;
   std::optional<FileTurntable> turntable;
-  Curve<Vector> translation, scale;  ///< keyframes; those without times stay as in `placement`
+  Curve<Vector> translation, scale;  ///< keyframes; without times they keep the values of `placement`
   Curve<Quaternion> rotation;
 
   bool moves() const {
@@ -147,16 +147,19 @@ struct FileShadow {
 struct FileLight {
   int line = 0;
   std::optional<PunctualLightType> punctual;  ///< empty: directional
-  Vector direction{0, -1, 0};                 ///< in which it shines, not of a point light; any length but zero
-  Vector position{0, 0, 0};                   ///< of point and spot lights
+  Vector direction{0, -1, 0};                 ///< direction in which it shines, for directional and spot lights; any
+                                              ///< length except zero
+  Vector position{0, 0, 0};                   ///< for point and spot lights
   Colour colour{255, 255, 255, 255};
-  double intensity = 1;              ///< of point and spot lights, at distance 1; else it is in the colour
-  double range = 0;                  ///< 0: no end
-  double inner = 0, outer = 45;      ///< degrees off a spot's direction that are fully lit, and lit at all
-  std::optional<FileShadow> shadow;  ///< of one light at most
+  double intensity = 1;              ///< for point and spot lights, at distance 1; a directional light has it in its
+                                     ///< colour
+  double range = 0;                  ///< 0: unlimited
+  double inner = 0, outer = 45;      ///< degrees from a spot's direction: fully lit within `inner`, dark outside
+                                     ///< `outer`
+  std::optional<FileShadow> shadow;  ///< for at most one light
 };
 
-/// [fog]; lengths and densities of the file.
+/// [fog]; lengths and densities in the file's units.
 struct FileFog {
   int line = 0;
   Colour colour{128, 128, 128, 255};
@@ -178,13 +181,13 @@ struct FileLines {
   std::string material, model;
   std::uint8_t width = 1;
   std::vector<Vector> vertices;
-  std::vector<Segment> segments;  ///< between `vertices`; a point is one of a vertex with itself
+  std::vector<Segment> segments;  ///< between `vertices`; a point is a segment from a vertex to itself
   Placement placement;
 
   const char* title() const { return are_points ? "[[points]]" : "[[lines]]"; }
 };
 
-/// [[csg]]: the names are those of instances.
+/// [[csg]]: the names are names of instances.
 struct FileCsg {
   int line = 0;
   std::vector<CsgProduct> products;
@@ -196,7 +199,7 @@ struct FileSprite {
   std::filesystem::path image;  ///< relative to the scene file's folder
   std::int16_t x = 0, y = 0;
   Colour colour{255, 255, 255, 255};
-  std::uint8_t coverage_bits = 0;  ///< 0: the image's own colours, and its alpha
+  std::uint8_t coverage_bits = 0;  ///< 0: the image's own colours and alpha
 };
 
 enum class FileFont : std::uint8_t { small, large };
@@ -221,28 +224,28 @@ struct SceneFile {
   std::vector<FileMaterial> materials;
   std::vector<FileInstance> instances;
   std::vector<FileEllipsoid> ellipsoids;
-  std::vector<FileLines> lines;  ///< at least one of these, of the ellipsoids or of the instances
+  std::vector<FileLines> lines;  ///< lines, ellipsoids and instances together have at least one entry
   std::vector<FileCsg> csg;
   std::optional<FileFog> fog;
   std::vector<FileLight> lights;
   std::vector<FileSprite> sprites;
   std::vector<FileLabel> labels;
 
-  /// Of a file that it names.
+  /// Returns the path of a file that this file names.
   std::filesystem::path beside(const std::filesystem::path& name) const { return path.parent_path() / name; }
 };
 
-/// A failure at a line of a file: "'room.toml' line 12: ...".
+/// Returns a failure at a line of a file: "'room.toml' line 12: ...".
 Failure at_line(const std::filesystem::path& path, int line, const std::string& message);
-/// Where a thing of the scene comes from: "room.toml line 12".
+/// Returns the origin of an object of the scene: "room.toml line 12".
 std::string origin_of(const std::filesystem::path& path, int line);
 
-/// Of `names` the one that `name` is most likely to have been meant for; empty if none is near.
+/// Returns the element of `names` that is most similar to `name`; empty if none is similar.
 std::string nearest(const std::string& name, const std::vector<std::string>& names);
 
-/// Checks everything that can be checked without another file: syntax, keys, types, ranges, references between tables.
+/// Checks everything that needs no other file: syntax, keys, types, ranges, references between tables.
 Result<SceneFile> read_scene_file(const std::filesystem::path& path);
-/// The same of a text; `path` is for messages.
+/// Reads a scene file from text; `path` is for messages.
 Result<SceneFile> parse_scene_file(const std::string& text, const std::filesystem::path& path);
 
 }  // namespace zstrip::sim

@@ -1,5 +1,5 @@
 // The tables of a scene file, each with its own keys; docs/scenes.md describes them. A reader reads all keys of its
-// table and finishes it; what is wrong goes to the table's errors.
+// table and finishes it; errors are added to the table's errors.
 #pragma once
 
 #include "compose/scene_file.hpp"
@@ -13,7 +13,7 @@ FileModel read_model_table(TomlTable& table);
 FileMaterial read_material(TomlTable& table);
 FileInstance read_instance(TomlTable& table);
 FileEllipsoid read_ellipsoid(TomlTable& table);
-/// `are_points`: [[points]].
+/// `are_points`: the table is [[points]].
 FileLines read_lines(TomlTable& table, bool are_points);
 FileCsg read_csg(TomlTable& table);
 FileLight read_light(TomlTable& table);

@@ -1,4 +1,4 @@
-// Values that several tables of a scene file have: limits, directions, rotations.
+// Values that are common to several tables of a scene file: limits, directions, rotations.
 #include "compose/table_values.hpp"
 
 #include <fmt/format.h>

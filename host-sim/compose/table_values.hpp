@@ -1,4 +1,4 @@
-// Values that several tables of a scene file have: limits, directions, rotations.
+// Values that are common to several tables of a scene file: limits, directions, rotations.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ inline constexpr Limits kLength{-1e9, 1e9};
 inline constexpr Limits kPositive{1e-9, 1e9};
 inline constexpr Limits kDegrees{-36000, 36000};
 
-/// A direction in which one can look, shine or turn.
+/// Checks a direction of a camera, a light or an axis: it must not be zero.
 void check_direction(TomlTable& table, const char* key, const Vector& direction);
 
-/// 'rotation', degrees about x, y and z, or a 'quaternion'.
+/// Reads 'rotation', degrees about x, y and z, or 'quaternion'.
 std::optional<Quaternion> read_rotation(TomlTable& table);
-/// 'translation', the rotation, and the scale under this key.
+/// Reads 'translation', the rotation, and the scale with this key.
 Placement read_placement(TomlTable& table, const char* scale);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// When things happen in a scene file's animation.
+// The duration and the key times of a scene file's animation.
 #include "compose/timeline.hpp"
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr double kTurntableSeconds = 4;  // of a scene that has nothing else to set its length
+constexpr double kTurntableSeconds = 4;  // of a scene without another duration
 constexpr std::size_t kMaxModelTimes = 10000;
 
-/// Of the instances' own keyframes.
+/// Returns the times of the instances' own keyframes.
 std::set<double> keyframe_times(const SceneFile& file) {
   std::set<double> times;
   for (const FileInstance& instance : file.instances) {

@@ -1,4 +1,4 @@
-// When things happen in a scene file's animation.
+// The duration and the key times of a scene file's animation.
 #pragma once
 
 #include <set>
@@ -8,10 +8,10 @@
 
 namespace zstrip::sim {
 
-/// Seconds: as in the file, or else its longest animation.
+/// Returns seconds: the file's duration, or else that of its longest animation.
 double duration_of(const SceneFile& file, std::span<const PlacedPart> placed);
 
-/// When motions may bend or jump. `models`: of file.models.
+/// Returns the times at which motions may bend or jump. `models`: in the order of file.models.
 std::set<double> all_key_times(const SceneFile& file, std::span<const PlacedModel> models, double duration);
 
 }  // namespace zstrip::sim

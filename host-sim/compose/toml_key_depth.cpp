@@ -1,4 +1,4 @@
-// Counts the dots of keys. Texts and comments, whose dots do not count, are skipped by the rules of TOML 1.0.
+// Counts the dots of keys. Dots in texts and comments do not count, so that these are skipped by the rules of TOML 1.0.
 #include "compose/toml_key_depth.hpp"
 
 #include <algorithm>
@@ -7,9 +7,10 @@
 namespace zstrip::sim {
 namespace {
 
-/// Behind the text whose first quote is at `at`, or at the end of the line or file that ends it too early.
+/// Returns the position after the text whose first quote is at `at`, or after the line or file if the text does not
+/// end.
 std::size_t behind_text(std::string_view text, std::size_t at) {
-  constexpr int kOwnQuotes = 2;  // of a text with three quotes, in front of those that end it
+  constexpr int kOwnQuotes = 2;  // quotes of a text with three quotes directly before its end
   const char quote = text[at];
   const bool has_escapes = quote == '"';
   const std::string_view three = has_escapes ? "\"\"\"" : "'''";
