@@ -43,38 +43,39 @@ constexpr const char* kBoardTable = "boards";
 struct BenchOptions {
   std::vector<std::string> targets{"host"};
   std::vector<std::string> workloads{"K5", "CT", "R50", "R10k"};
-  std::string size;              ///< empty: each workload's own
+  std::string size;              ///< empty: the workload's own
   std::string strip_rows;        ///< empty: the planner decides
   std::string strip_columns;     ///< empty: the picture's width
   std::string mode{"streamed"};  ///< of the plan
-  std::string depth{"z16"};      ///< how depth is kept
+  std::string depth{"z16"};      ///< depth format or visibility method
   std::string ram;               ///< empty: no limit
   std::uint32_t frames = 60;
-  std::string firmware;  ///< empty: beside this program, as the build leaves it
+  std::string firmware;  ///< empty: the build's folder next to this program
   std::string json;
-  bool stages = false;              ///< where the instructions of a frame go, on boards
-  bool peers = false;               ///< other renderers beside ours, on this machine
-  std::vector<std::string> boards;  ///< whose frames a second are predicted instead; empty: none
-  std::optional<double> spi_mhz;    ///< instead of the board's own
+  bool stages = false;              ///< show the instructions of each stage, on boards
+  bool peers = false;               ///< also measure other renderers, on this machine
+  std::vector<std::string> boards;  ///< boards whose frames a second are predicted instead; empty: none
+  std::optional<double> spi_mhz;    ///< used in place of the board's own
   std::optional<double> core_mhz;
   std::optional<std::uint32_t> wait_states;
-  std::uint32_t cores = 1;              ///< of such a board
-  std::string table;                    ///< empty: the workloads; else the table to reproduce instead
-  std::vector<std::uint32_t> pictures;  ///< of the table; empty: all
-  std::uint32_t draw_each = 0;          ///< not 0: run by instruction_count.cpp
-  std::string depth_memory;             ///< the row of the table to draw then
-  std::uint32_t table_row = 0;          ///< likewise, of the tables of visibility
-  bool programs = false;                ///< list those of the boards instead of running them
+  std::uint32_t cores = 1;              ///< number of cores of such a board that draw
+  std::string table;                    ///< empty: measure the workloads; else the table to reproduce
+  std::vector<std::uint32_t> pictures;  ///< pictures of the table; empty: all
+  std::uint32_t draw_each = 0;          ///< not 0: the program was started by instruction_count.cpp
+  std::string depth_memory;             ///< then: the row of the table to draw
+  std::uint32_t table_row = 0;          ///< then: the row of a visibility table to draw
+  bool programs = false;                ///< list the boards' programs instead of running them
 };
 
-/// Targets that have a program for a scene that is a file.
+/// Targets with a program that draws a scene from a file.
 constexpr std::string_view kTargetsOfModels[] = {"m0", "m3", "m4f", "m7"};
 
 bool draws_models(std::string_view target) {
   return target == "host" || std::ranges::find(kTargetsOfModels, target) != std::end(kTargetsOfModels);
 }
 
-/// Why a target, that of the board of this name unless it is empty, does not draw a workload.
+/// Returns the reason why a target does not draw a workload; the target is that of the board of this name unless it is
+/// empty.
 std::string no_model_on(std::string_view workload, const std::string& target, std::string_view board) {
   if (board.empty())
     return fmt::format("{} is for --target host, m0, m3, m4f and m7; {} has no program for it", workload, target);
@@ -87,7 +88,7 @@ std::string no_model_on(std::string_view workload, const std::string& target, st
   return fmt::format("{} is for --board {}; {} has no program for it", workload, boards, board);
 }
 
-/// `board`: its target is `target`; empty: the target was asked for.
+/// `board`: a board with the target `target`; empty: the user named the target.
 Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std::string& target,
                                          std::string_view board = {}) {
   Budget budget;
@@ -166,7 +167,7 @@ Result<Done> compare_pictures(std::span<const Measurement> rows) {
 
 Result<Done> report(const BenchOptions& options, const std::string& table, const std::string& json) {
   const bool json_on_stdout = options.json == "-";
-  // Failures on standard output are told by main.
+  // main reports failures of standard output.
   if (!write_text(json_on_stdout ? stderr : stdout, table) && json_on_stdout) {
     return Failure{ExitStatus::output, "cannot write the table to standard error; is the disk full?"};
   }
@@ -238,7 +239,7 @@ Result<Done> run_predictions(const BenchOptions& options) {
   return report(options, text, prediction_json(predictions));
 }
 
-/// The boards' programs that the options run, one name a line: host-sim/run builds them.
+/// Lists the boards' programs that the options run, one name a line; host-sim/run builds them.
 Result<Done> list_programs(const BenchOptions& options) {
   std::vector<std::pair<std::string, std::string_view>> places;  // target and board
   for (const std::string& name : options.boards) places.emplace_back(find_board(name)->target, name);

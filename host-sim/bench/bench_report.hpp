@@ -1,4 +1,4 @@
-// Measurements as a table for people and as JSON for programs.
+// Measurements as a table for display and as JSON for programs.
 #pragma once
 
 #include <span>
@@ -8,10 +8,11 @@
 
 namespace zstrip::sim {
 
-/// One line a row, with headings, a line end after each; the figures of other renderers beside those they compare with.
+/// Returns one line for each row, with headings and line ends; figures of other renderers follow those they compare
+/// with.
 std::string bench_table(std::span<const Measurement> rows);
 
-/// An array with one object a row; the keys are documented in bench/README.md. Ends with a line end.
+/// Returns an array with one object for each row; bench/README.md documents the keys. Ends with a line end.
 std::string bench_json(std::span<const Measurement> rows);
 
 }  // namespace zstrip::sim

@@ -40,13 +40,13 @@ const char* machine(std::string_view target) {
   return "mps2-an385";
 }
 
-/// Boards get the scene as a file, into their flash.
+/// True if the scene is a file, which boards get into their flash.
 bool is_of_model(const BenchCase& bench_case) {
   const Workload* workload = find_workload(bench_case.workload);
   return bench_case.program.empty() && workload != nullptr && workload->is_model();
 }
 
-// Programs of their own, so that each has one pipeline.
+// Separate programs, so that each has one pipeline.
 const char* program_infix(const BenchCase& bench_case) {
   if (is_of_model(bench_case)) return "scene_";
   if (bench_case.depth != "z16") return "depth_";
@@ -99,7 +99,7 @@ std::optional<std::uint32_t> hexadecimal(const std::string& text) {
   return value;
 }
 
-// Throws nlohmann::json::exception for a member that is missing or of another type.
+// Throws nlohmann::json::exception if a member is missing or has another type.
 std::optional<Measurement> read_line(const BenchCase& bench_case, const std::string& line) {
   const nlohmann::json object = nlohmann::json::parse(line);
   Measurement row{.bench_case = bench_case,
@@ -119,7 +119,7 @@ std::optional<Measurement> read_line(const BenchCase& bench_case, const std::str
   return row;
 }
 
-/// Of names of workloads with their depth formats, "K5/z16 CT/z16", those with this format: "K5, CT".
+/// Selects workloads with this depth format: from "K5/z16 CT/z16" returns "K5, CT".
 std::string workloads_in(std::string_view names, std::string_view depth) {
   std::string list;
   std::istringstream words{std::string(names)};
@@ -132,7 +132,7 @@ std::string workloads_in(std::string_view names, std::string_view depth) {
   return list;
 }
 
-/// What a program that ended with a status said in its last line (firmware/boards/mps2/bench_run.hpp).
+/// Converts the status and the last line of a program to a failure (firmware/boards/mps2/bench_run.hpp).
 Failure failure_of(const BenchCase& bench_case, int status, const std::string& line) {
   constexpr std::string_view kNeeded = ", needed ", kAvailable = ", available ";
   if (const std::size_t numbers = line.find(kNeeded); status == kBoardBudget && numbers != std::string::npos) {

@@ -10,16 +10,16 @@
 
 namespace zstrip::sim {
 
-/// One row for each case, in order, by running firmware/boards/mps2's benchmark in QEMU. `firmware` is the folder of
-/// the programs; empty: where the build puts them, seen from this program. A missing program or QEMU is a failure with
-/// ExitStatus::environment, too little memory one with ExitStatus::budget.
+/// Returns one row for each case, in order, from firmware/boards/mps2's benchmark in QEMU. `firmware` is the folder of
+/// the programs; empty: the build's folder, relative to this program. A missing program or QEMU is a failure with
+/// ExitStatus::environment, too little memory a failure with ExitStatus::budget.
 Result<std::vector<Measurement>> bench_on_board(const std::vector<BenchCase>& cases, const std::string& firmware);
 
-/// The name of the program that draws a case, which is that of its target in CMake.
+/// Returns the name of the program that draws a case, which is the name of its target in CMake.
 std::string board_program_of(const BenchCase& bench_case);
-/// That program's file, in the folder `firmware` as above.
+/// Returns the file of this program, in the folder `firmware` as above.
 Result<std::filesystem::path> board_program(const BenchCase& bench_case, const std::string& firmware);
-/// One case, with more options for QEMU. Failures as above.
+/// Measures one case, with more options for QEMU. Failures as above.
 Result<Measurement> bench_on_board(const BenchCase& bench_case, const std::filesystem::path& program,
                                    const std::vector<std::string>& emulator_options);
 

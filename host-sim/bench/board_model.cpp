@@ -1,4 +1,5 @@
-// The table of boards. There is no Cortex-M7: Arm publishes no timings of its instructions, which go two at a time.
+// The table of boards. It has no Cortex-M7, because Arm publishes no timings of its instructions, which execute in
+// pairs.
 #include "bench/board_model.hpp"
 
 #include <algorithm>
@@ -20,8 +21,7 @@ constexpr std::array kBoards{
                .dma = false,
                .cycles_per_estimate = 2.9},
     // RP2040 data sheet: XIP cache of 16 KB, 2 ways, 8 bytes a line; SPI up to half of 125 MHz. A line from quad flash
-    // in
-    // continuous read mode: 8 clocks of address, 4 idle, 16 of data, at half the core's clock.
+    // in continuous read mode: 8 clocks of address, 4 idle, 16 of data, at half the core's clock.
     BoardModel{.name = "pico",
                .description = "Raspberry Pi Pico, RP2040",
                .core = "m0+",
@@ -35,8 +35,8 @@ constexpr std::array kBoards{
                .dma = true,
                .cores = 2,
                .cycles_per_estimate = 3.0},
-    // RP2350 data sheet: XIP cache of 16 KB, 2 ways, 8 bytes a line; SPI up to half of 150 MHz. A line by the quad
-    // reads that the boot ROM sets up: 8 clocks of command, 6 of address, 2 of mode, 4 idle, 16 of data, at a third of
+    // RP2350 data sheet: XIP cache of 16 KB, 2 ways, 8 bytes a line; SPI up to half of 150 MHz. A line with the quad
+    // read that the boot ROM sets up: 8 clocks of command, 6 of address, 2 of mode, 4 idle, 16 of data, at a third of
     // the core's clock.
     BoardModel{.name = "pico2",
                .description = "Raspberry Pi Pico 2, RP2350",
@@ -52,8 +52,7 @@ constexpr std::array kBoards{
                .cores = 2,
                .cycles_per_estimate = 1.4},
     // STM32F103 data sheet and flash programming manual: 2 wait states above 48 MHz, a prefetch buffer of two lines of
-    // 64
-    // bits; SPI up to 18 MHz.
+    // 64 bits; SPI up to 18 MHz.
     BoardModel{.name = "bluepill",
                .description = "Blue Pill, STM32F103C8",
                .core = "m3",
@@ -68,8 +67,7 @@ constexpr std::array kBoards{
                .dma = true,
                .cycles_per_estimate = 1.65},
     // STM32F411 data sheet and reference manual: 3 wait states at 100 MHz; the accelerator keeps 64 lines of code and 8
-    // of
-    // data, 128 bits each, replaces the least recently used one, and prefetches; SPI1 up to 50 MHz.
+    // of data, 128 bits each, replaces the least recently used one, and prefetches; SPI1 up to 50 MHz.
     BoardModel{
         .name = "blackpill",
         .description = "Black Pill, STM32F411CE",

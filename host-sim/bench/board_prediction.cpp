@@ -30,7 +30,7 @@ Cycles cycles_of(const ProfiledCase& profiled, const ExecutedRegion& region, con
   return {core.low + flash.low, core.high + flash.high};
 }
 
-/// Where memory is missing: why there is no more.
+/// Explains a lack of memory by the board's RAM.
 Failure with_board(const Failure& failure, const BoardModel& board, const BenchCase& bench_case, std::uint32_t cores) {
   if (failure.status != ExitStatus::budget) return failure;
   const std::string where = bench_case.budget.bytes != 0
@@ -47,10 +47,10 @@ Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_
                                 const std::string& firmware) {
   BenchCase on_board = bench_case;
   on_board.target = board.target;
-  // Of two cores each has half: three buffers of pixels are less than two times two.
+  // Each of two cores gets half. Three buffers of pixels fit, because they need less than four.
   if (on_board.budget.bytes == 0) on_board.budget.bytes = (board.ram_bytes - kReservedRam) / cores;
   on_board.budget.strip_buffers = board.dma ? 2 : 1;
-  // What of bins a strip hands on to the next one is lost where the other core draws that.
+  // Data that a strip keeps in the bins for the next strip are lost if the other core draws the next strip.
   on_board.in_turns = cores == 2 && on_board.budget.modes == Modes::binned;
   const Result<ProfiledCase> profiled = profile_on_board(on_board, board.flash.cache, firmware);
   if (!profiled) return with_board(profiled.failure(), board, bench_case, cores);

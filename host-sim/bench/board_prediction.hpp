@@ -1,4 +1,4 @@
-// How many frames a second a real board would draw: instructions as the emulated core executed them, cycles of a model.
+// Predicts the frames a second of a real board: instructions from the emulated core, cycles from a model.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace zstrip::sim {
 
-/// Sent before each strip: column and row addresses and the command to write, as most controllers of colour displays
-/// take them (MIPI DCS).
+/// Sent before each strip: column and row addresses and the write command of most colour display controllers (MIPI
+/// DCS).
 inline constexpr std::uint32_t kWindowBytes = 11;
 
 struct PredictedFrame {
@@ -25,28 +25,28 @@ struct PredictedFrame {
 
 struct BoardPrediction {
   BoardModel board;
-  std::uint32_t cores = 1;  ///< that draw
+  std::uint32_t cores = 1;  ///< number of cores that draw
   Measurement measurement;
   InstructionMix mix;              ///< of all frames
-  std::uint64_t instructions = 0;  ///< likewise
-  Cycles core, flash;              ///< likewise
+  std::uint64_t instructions = 0;  ///< of all frames
+  Cycles core, flash;              ///< of all frames
   std::vector<PredictedFrame> frames;
 };
 
-/// The case's target and budget are the board's own: arena and two strips of pixels (one without DMA) in its RAM; with
-/// two cores an arena more and three strips. `cores`: that draw, up to the board's, with DMA.
-/// `bench_case` brings workload, view, frames, strip rows and mode. Failures as those of profile_on_board().
+/// Target and budget are those of the board: arena and two strips of pixels (one without DMA) in its RAM; with two
+/// cores one more arena, and three strips. `cores`: number of cores that draw, up to the board's, with DMA.
+/// `bench_case` has workload, view, frames, strip rows and mode. Failures: those of profile_on_board().
 Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_case, std::uint32_t cores,
                                 const std::string& firmware);
 
-/// The first frame, drawn as slowly as the model allows.
+/// Returns the first frame, with the slowest times of the model.
 std::vector<StripTimes> slowest_timeline(const BoardPrediction& prediction);
-/// Of all frames, the time of a picture from begin_frame to the end of its last transfer; seconds, a mean.
+/// Returns the time of a picture from begin_frame to the end of its last transfer; seconds, the mean of all frames.
 double frame_seconds(const BoardPrediction& prediction, bool slow);
 
-/// For people: the prediction, the assumptions, and the first frame's timeline.
+/// Returns text for the user: the prediction, the assumptions, and the first frame's timeline.
 std::string prediction_text(const BoardPrediction& prediction);
-/// An array with one object a prediction; the keys are documented in bench/README.md.
+/// Returns an array with one object for each prediction; bench/README.md documents the keys.
 std::string prediction_json(std::span<const BoardPrediction> predictions);
 
 }  // namespace zstrip::sim

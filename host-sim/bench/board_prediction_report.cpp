@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kTimelineColumns = 72;
 
-/// Arenas and all buffers of a strip's pixels.
+/// Returns the bytes of the arenas and of all buffers of a strip's pixels.
 std::uint64_t ram_bytes(const BoardPrediction& p) {
   const Measurement& m = p.measurement;
   const std::uint64_t strip = m.strip_rows * bytes_per_row(m.strip_columns, m.bench_case.view.format);
-  return p.cores * m.ram_bytes + (p.board.dma ? strip : 0);  // one is in the measurement
+  return p.cores * m.ram_bytes + (p.board.dma ? strip : 0);  // the measurement includes one buffer
 }
 
 double milliseconds(double seconds) { return 1e3 * seconds; }
@@ -40,7 +40,7 @@ std::string assumptions(const BoardPrediction& p) {
   return text;
 }
 
-/// "3.1", or "3.1 to 4.5" where they differ.
+/// Returns "3.1", or "3.1 to 4.5" if they differ.
 std::string range(double low, double high, int decimals) {
   const std::string first = fmt::format("{:.{}f}", low, decimals), last = fmt::format("{:.{}f}", high, decimals);
   return first == last ? first : first + " to " + last;
@@ -67,7 +67,7 @@ std::string mix_text(const BoardPrediction& p) {
   return text + "   " + line + '\n';
 }
 
-/// `mark` from `begin` to `end`, at least one column where there is anything.
+/// Draws `mark` from `begin` to `end`, at least one column if the time is not 0.
 void draw_bar(std::string& line, double begin, double end, double scale, char mark) {
   const auto column = [scale](double seconds) { return static_cast<std::size_t>(std::lround(seconds * scale)); };
   if (end <= begin) return;

@@ -1,4 +1,4 @@
-// Runs each workload with each method, and sets them side by side.
+// Runs each workload with each method, and compares them.
 #include "bench/board_visibility.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ constexpr const char* kLine = "{:<8} {:<15} {:<6} {:>14} {:>8} {:>10}\n";
 
 std::uint64_t instructions(const Measurement& row) { return row.instructions_per_frame.value_or(0); }
 
-/// The plain z-buffer's row of the same workload and target, which comes before those of the methods.
+/// Returns the row of the plain z-buffer with the same workload and target; it comes before the rows of the methods.
 const Measurement& plain(std::span<const Measurement> rows, std::size_t index) {
   while (index > 0 && rows[index].bench_case.depth != "zbuffer") --index;
   return rows[index];

@@ -1,4 +1,4 @@
-// What visibility methods cost on emulated boards: the table `boards` of `zstrip bench`.
+// The cost of visibility methods on emulated boards: the table `boards` of `zstrip bench`.
 #pragma once
 
 #include <span>
@@ -10,11 +10,11 @@
 
 namespace zstrip::sim {
 
-/// One case for each workload, target and method, which is in BenchCase::depth.
+/// Returns one case for each workload, target and method; the method is in BenchCase::depth.
 std::vector<BenchCase> board_visibility_cases();
 
-/// Workloads of firmware/boards/mps2/bench_visibility.cpp at 320x240 in strips of 16 rows, on a Cortex-M0 and a
-/// Cortex-M3. `firmware` as of board_program. Takes minutes.
+/// Measures workloads of firmware/boards/mps2/bench_visibility.cpp at 320x240 in strips of 16 rows, on a Cortex-M0 and
+/// a Cortex-M3. `firmware` as in board_program. Takes minutes.
 Result<std::vector<Measurement>> measure_board_visibility(const std::string& firmware);
 
 std::string board_visibility_text(std::span<const Measurement> rows);

@@ -99,7 +99,7 @@ bool single_transfer(const ClassifiedInstruction& instruction) {
          !instruction.loads_pc;
 }
 
-/// Of one execution, without what a taken branch adds.
+/// Returns the cycles of one execution, without the extra cycles of a taken branch.
 Cycles cycles_of(const ClassifiedInstruction& instruction, bool behind_transfer, const CoreTimings& core) {
   using enum InstructionClass;
   switch (instruction.kind) {
@@ -123,10 +123,10 @@ Cycles cycles_of(const ClassifiedInstruction& instruction, bool behind_transfer,
   return kOne;
 }
 
-/// What one taken end of a block adds.
+/// Returns the extra cycles of one taken end of a block.
 Cycles taken_extra(const ClassifiedInstruction& last, const CoreTimings& core) {
   if (last.loads_pc) return core.pc_load_extra;
-  if (last.kind != InstructionClass::branch) return {};  // calls always go, and exceptions do not happen
+  if (last.kind != InstructionClass::branch) return {};  // calls are always taken, and exceptions do not happen
   return {core.taken.low - core.not_taken.low, core.taken.high - core.not_taken.high};
 }
 
@@ -176,7 +176,7 @@ Cycles core_cycles(const ExecutionProfile& profile, const ExecutedRegion& region
 
 Cycles flash_cycles(const ExecutedRegion& region, const Flash& flash) {
   const double wait = flash.wait_states;
-  // A line executes in no less than one cycle for each 4 bytes; prefetching hides as much of the next one's reading.
+  // A line takes at least one cycle for each 4 bytes; prefetching hides the same time of reading the next line.
   const double left = std::max(0.0, wait + 1 - flash.cache.line_bytes / 4.0);
   const Cycles sequential = flash.prefetch ? Cycles{0, left} : Cycles{wait, wait};
   Cycles sum = static_cast<double>(region.jump_misses + region.data_misses) * Cycles{wait, wait};

@@ -19,9 +19,9 @@ class Drawing {
   /// Plans `bench_case`; a budget that is too small is a failure with ExitStatus::budget.
   static Result<Drawing> prepare(const BenchCase& bench_case);
 
-  /// Moves camera and model to a frame of the workload; set-up, which is not measured.
+  /// Moves camera and model to a frame of the workload; this is set-up, which is not measured.
   void stage(std::uint32_t frame);
-  /// Draws the staged frame: what is measured. `after_strip` is called with the pixels of each strip.
+  /// Draws the staged frame: the measured work. Calls `after_strip` with the pixels of each strip.
   template <typename AfterStrip>
   Status draw(AfterStrip after_strip) {
     if (const Status posed = built_in_->pose != nullptr ? built_in_->pose(frame_) : Status{}; !posed) return posed;
@@ -39,7 +39,7 @@ class Drawing {
   }
 
   const Plan& plan() const { return plan_; }
-  /// Arena, one strip of pixels, and what the scene keeps of a pose.
+  /// Returns the bytes of arena, one strip of pixels, and the scene's data of a pose.
   std::uint64_t ram_bytes() const { return std::uint64_t{plan_.bytes()} + pixels_.size() + built_in_->pose_bytes; }
 
  private:

@@ -18,17 +18,17 @@
 
 namespace zstrip::sim {
 
-/// A z-buffer and the memory that it may take.
+/// The extent of the z-buffer, which sets its memory.
 enum class DepthMemory : std::uint8_t {
-  classic,           ///< of the default view of 1024x768, all of it cleared in each frame
-  rectangle,         ///< of the figure's bounding rectangle, as the paper's dynamic one
-  small,             ///< of strips or tiles: the arena has little_bytes
-  small_and_pixels,  ///< likewise, and the arena and the strip's pixels together have little_bytes
+  classic,           ///< the default view of 1024x768, completely cleared in each frame
+  rectangle,         ///< the figure's bounding rectangle, as in the paper's dynamic z-buffer
+  small,             ///< strips or tiles: the arena has little_bytes
+  small_and_pixels,  ///< strips or tiles: the arena and the strip's pixels together have little_bytes
 };
 inline constexpr DepthMemory kDepthMemories[] = {DepthMemory::classic, DepthMemory::rectangle, DepthMemory::small,
                                                  DepthMemory::small_and_pixels};
 
-/// What the paper on dynamic z-buffers measured: 60,000 polygons, a Pentium 4 at 2.66 GHz.
+/// The measurements of the paper on dynamic z-buffers: 60,000 polygons, a Pentium 4 at 2.66 GHz.
 struct PaperFigures {
   std::uint32_t kilobytes;
   double milliseconds;
@@ -38,7 +38,7 @@ struct PaperFigures {
 struct DynamicZPicture {
   std::uint16_t side;          ///< pixels
   std::uint32_t little_bytes;  ///< for DepthMemory::small and small_and_pixels
-  bool classic_right;          ///< in the paper; then `classic` has its figures
+  bool classic_right;          ///< the classic picture was correct in the paper; `classic` then has its figures
   PaperFigures classic, dynamic;
 };
 
@@ -48,28 +48,29 @@ std::span<const DynamicZPicture> dynamic_z_pictures();
 /// "classic", "rectangle", "small", "small-and-pixels".
 std::string_view name(DepthMemory memory);
 
-/// What the planner is given for a row; bytes == 0: no limit.
+/// Returns the planner's budget for a row; bytes == 0: no limit.
 Budget budget_of(const DynamicZPicture& picture, DepthMemory memory);
 
-/// One row of the table, with all memory that it takes, ready to be drawn again and again.
+/// One row of the table, with all its memory, which can be drawn repeatedly.
 class DynamicZDrawing {
  public:
   /// `knot` must outlive it. Fails with ExitStatus::budget if little_bytes are too few.
   static Result<DynamicZDrawing> prepare(const TorusKnot& knot, const DynamicZPicture& picture, DepthMemory memory);
-  /// The judge of all rows of a picture: the same figure in a view of kJudgeSide, which no picture of the table fills.
+  /// Returns the drawing that judges all rows of a picture: the figure in a view of kJudgeSide, larger than all
+  /// pictures.
   static Result<DynamicZDrawing> prepare_judge(const TorusKnot& knot, const DynamicZPicture& picture);
 
-  /// What is measured.
+  /// Draws: the measured work.
   Status draw();
   /// Draws into the middle of a picture of kJudgeSide x kJudgeSide pixels.
   Status draw_into(std::vector<std::uint16_t>& judged);
-  /// Draws once more with effect::statistics, which the other two do without.
+  /// Draws once more with effect::statistics, which draw() and draw_into() do not use.
   Result<Statistics> count_work();
 
   const View& view() const { return view_; }
   const Plan& plan() const { return plan_; }
   std::uint32_t pixel_bytes() const { return plan_.strip_pixel_bytes(view_); }
-  /// The part of the view whose z-buffer the last draw cleared.
+  /// Returns the part of the view whose z-buffer the last draw cleared.
   Rect cleared() const { return renderer_.frame().bounds(); }
 
  private:
@@ -91,7 +92,7 @@ class DynamicZDrawing {
   std::vector<std::uint16_t> pixels_;
 };
 
-/// Of the picture that judges, pixels.
+/// Side of the judge's picture, in pixels.
 inline constexpr std::uint16_t kJudgeSide = 2304;
 
 }  // namespace zstrip::sim

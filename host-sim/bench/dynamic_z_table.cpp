@@ -29,8 +29,8 @@ Result<std::uint32_t> checksum(DynamicZDrawing& drawing, const DynamicZPicture& 
       ::crc32(::crc32(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
-// The least of all rounds: whatever else the machine does only adds. Rounds take turns among the rows, so that a slow
-// spell falls on all of them.
+// The minimum of all rounds, because other load of the machine only adds time. Rounds alternate between the rows, so
+// that a slow period affects all of them.
 Result<Done> time_rows(std::vector<DynamicZDrawing>& drawings, std::span<DynamicZRow> rows) {
   for (std::size_t round = 0; round < kRatioRounds; ++round) {
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -13,7 +13,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// A record of the file; false where the file ends before it.
+/// Reads a record of the file; returns false if the file ends before it.
 template <typename Record>
 bool read_record(std::span<const char> file, std::uint64_t offset, Record& record) {
   if (offset > file.size() || file.size() - offset < sizeof record) return false;

@@ -16,7 +16,7 @@ struct ElfFunction {
   std::uint32_t bytes;
 };
 
-/// Of a 32-bit ELF program with symbols, in order of address.
+/// Returns the functions of a 32-bit ELF program with symbols, in order of address.
 Result<std::vector<ElfFunction>> elf_functions(const std::filesystem::path& program);
 
 }  // namespace zstrip::sim

@@ -59,7 +59,7 @@ Result<std::string> plugin_option(const fs::path& program, const FlashCacheShape
 
 class ProfileReader {
  public:
-  /// False if the line is none of the plugin's.
+  /// Returns false if the line has another format than the plugin's.
   bool read(const std::string& line) {
     std::istringstream words(line.substr(line.empty() ? 0 : 1));
     switch (line.empty() ? '\0' : line[0]) {
@@ -70,7 +70,7 @@ class ProfileReader {
       default: return false;
     }
   }
-  /// Empty if the file ended inside a region.
+  /// Returns nothing if the file ended inside a region.
   std::optional<ExecutionProfile> finish() {
     if (!region_.blocks.empty()) return std::nullopt;
     return std::move(profile_);

@@ -1,4 +1,4 @@
-// Classes by mnemonic. Conditions are spelled out where they would make another mnemonic: BLS is no BL.
+// Classes by mnemonic. Conditions are checked explicitly where they look like another mnemonic: BLS is not BL.
 #include "bench/instruction_class.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 2> kLongMultiplies = {"smull", "umull"};
 constexpr std::array<std::string_view, 5> kLongAccumulates = {"smlal", "umlal", "umaal", "smlald", "smlsld"};
 constexpr std::array<std::string_view, 2> kDivides = {"sdiv", "udiv"};
 
-/// Registers in "{r4, r5, r6-r8}"; QEMU writes each one out, but a range is no surprise.
+/// Counts registers in "{r4, r5, r6-r8}"; QEMU lists each register, but ranges are accepted, too.
 std::uint32_t registers_in(std::string_view operands) {
   const std::size_t open = operands.find('{');
   if (open == std::string_view::npos) return 0;
@@ -50,7 +50,7 @@ ClassifiedInstruction transfer(std::string_view mnemonic, std::string_view opera
   return {loads ? load : store, 1, loads && operands.starts_with("pc,")};
 }
 
-/// The number behind `begin` in the operands, decimal or hexadecimal; 0 if there is none.
+/// Returns the number after `begin` in the operands, decimal or hexadecimal; 0 if there is none.
 std::uint32_t number_behind(std::string_view operands, std::string_view begin) {
   const std::size_t at = operands.find(begin);
   if (at == std::string_view::npos) return 0;

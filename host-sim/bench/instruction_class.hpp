@@ -1,4 +1,4 @@
-// The classes of instructions that published timings of Cortex-M cores tell apart.
+// The classes of instructions that the published timings of Cortex-M cores distinguish.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ enum class InstructionClass : std::uint8_t {
   multiply,         ///< 32 x 32 to 32 bits, and the DSP extension's multiplications of halves
   accumulate,       ///< multiply and add or subtract, 32 bits
   long_multiply,    ///< 32 x 32 to 64 bits
-  long_accumulate,  ///< the same, added to 64 bits
+  long_accumulate,  ///< 32 x 32 to 64 bits, added to 64 bits
   divide,
   load,
   store,
@@ -21,7 +21,7 @@ enum class InstructionClass : std::uint8_t {
   store_multiple,  ///< STM, PUSH, STRD
   branch,          ///< B, CBZ and CBNZ, with a condition or without
   call,            ///< BL
-  branch_register  ///< BX, BLX, and what loads the program counter
+  branch_register  ///< BX, BLX, and loads of the program counter
 };
 inline constexpr std::array<std::string_view, 13> kInstructionClassNames = {"other",
                                                                             "multiply",
@@ -41,8 +41,8 @@ struct ClassifiedInstruction {
   InstructionClass kind = InstructionClass::other;
   std::uint32_t words = 0;  ///< registers that a multiple transfer moves
   bool loads_pc = false;    ///< a load that also branches: POP {..., pc}, LDR pc, TBB
-  /// An `other` with an operand that is shifted, but not left by 1 to 3, or with an immediate of more than 8 bits that
-  /// it does not move: a Cortex-M33's results of them come late.
+  /// An `other` instruction with an operand that is shifted, except left by 1 to 3, or with an immediate of more than 8
+  /// bits, except a move: on a Cortex-M33 the results of these come late.
   bool complex = false;
 };
 

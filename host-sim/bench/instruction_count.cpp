@@ -88,7 +88,7 @@ Result<std::optional<std::uint64_t>> count_draws(const std::vector<std::string>&
   if (!once) return once.failure();
   const Result<std::uint64_t> thrice = total_of_run(run, "3");
   if (!thrice) return thrice.failure();
-  if (*thrice <= *once) return std::optional<std::uint64_t>{};  // it does not do the same each time: a JIT, perhaps
+  if (*thrice <= *once) return std::optional<std::uint64_t>{};  // draws differ, perhaps because of a JIT
   return std::optional{(*thrice - *once) / 2};
 }
 

@@ -1,4 +1,4 @@
-// Runs the programs of peer_programs/ in turns with our own renderer.
+// Runs the programs of peer_programs/ alternately with our own renderer.
 #include "bench/peer_bench.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ constexpr std::array kPrograms{
     PeerProgram{"OSMesa llvmpipe", "zstrip_peer_osmesa", "libosmesa6-dev", "llvmpipe"},
 };
 
-/// One renderer on one case, and what was measured so far.
+/// One renderer on one case, and its measurements so far.
 struct Contestant {
   const PeerProgram* peer = nullptr;  ///< null: zstrip itself
   BenchCase bench_case{};

@@ -1,4 +1,4 @@
-// What other renderers need for the same workloads: figures to compare with.
+// The cost of other renderers for the same workloads, for comparison.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace zstrip::sim {
 
-/// Published here: measured side by side on the same workloads, 60 frames each, GCC 12 -O2, clears included, set-up
-/// excluded, drawing into whole buffers; boards emulated like ours.
+/// Published here: all renderers on the same workloads, 60 frames each, GCC 12 -O2, including clears, without set-up,
+/// drawing into whole buffers; boards are emulated like ours.
 struct Peer {
   std::string_view name;
   double million_instructions;  ///< a frame
 };
 
-/// The peer with the fewest instructions for the same workload, target and picture size; null name if none was
-/// measured. Only rows of kPeerFrames frames can be compared: the model turns, and frames differ.
+/// Returns the peer with the fewest instructions for the same workload, target and picture size; the name is null if
+/// none was measured. Only rows of kPeerFrames frames can be compared: the model rotates, and frames differ.
 inline constexpr std::uint32_t kPeerFrames = 60;
 Peer best_peer(const BenchCase& bench_case);
 

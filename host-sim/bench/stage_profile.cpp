@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kCore = "core/zstrip/";
 constexpr std::string_view kUnknown = "??";
-constexpr std::string_view kLibrary = "libgcc ";  // what alone has no line tables in a program with them
+constexpr std::string_view kLibrary = "libgcc ";  // the part without line tables in a program that has them
 
 using Counts = std::map<std::uint32_t, std::uint64_t>;  // executions by address
 
@@ -41,8 +41,8 @@ Counts executions(const ExecutionProfile& profile) {
   return counts;
 }
 
-/// The file that an instruction is for: of the calls that were inlined one into the other, the innermost of the core
-/// that is more than arithmetic (base/).
+/// Returns the source file of an instruction: of nested inlined calls the innermost file of the core outside of base/,
+/// which has only arithmetic.
 std::string source_of(const std::vector<std::string>& innermost_first) {
   for (const std::string& file : innermost_first) {
     const std::size_t at = file.rfind(kCore);
@@ -57,7 +57,7 @@ std::string source_of(const std::vector<std::string>& innermost_first) {
   return std::string(kUnknown);
 }
 
-/// What has no line tables gets the name of its function instead.
+/// Code without line tables gets the name of its function instead.
 Result<std::map<std::uint32_t, std::string>> named_by_function(const fs::path& program,
                                                                std::map<std::uint32_t, std::string> by_address) {
   const Result<std::vector<ElfFunction>> functions = elf_functions(program);
@@ -70,7 +70,7 @@ Result<std::map<std::uint32_t, std::string>> named_by_function(const fs::path& p
   return by_address;
 }
 
-/// For each address its source.
+/// Returns the source of each address.
 Result<std::map<std::uint32_t, std::string>> sources(const fs::path& program, const Counts& counts) {
   const fs::path words = fs::temp_directory_path() / fmt::format("zstrip_addresses_{}.txt", getpid());
   {
@@ -111,7 +111,7 @@ PipelineStage stage_of(const std::string& source, std::uint64_t executions, cons
                        std::uint32_t frames) {
   using enum PipelineStage;
   const auto is = [&source](std::string_view beginning) { return source.starts_with(beginning); };
-  const std::uint64_t drawn = work.drawn + work.drawn / 50;  // both are counted on whole frames, but not by one program
+  const std::uint64_t drawn = work.drawn + work.drawn / 50;  // both are counted on whole frames, but by two programs
   const bool once_a_frame = executions <= std::max<std::uint64_t>(16 * frames, 2);
   if (is("memset") || is("resolve/resolve")) return clear;
   if (is("resolve/")) return resolve;
@@ -119,7 +119,7 @@ PipelineStage stage_of(const std::string& source, std::uint64_t executions, cons
   if (is("geometry/clip") || is("raster/polygon")) return clip;
   const bool is_kernel = is("kernels/");
   if (is("geometry/") || (is_kernel && source.find("/transform") != std::string::npos)) {
-    // The reciprocal of 1/w serves vertices and runs of texels.
+    // The reciprocal of 1/w is used for vertices and runs of texels.
     if (executions > 4 * std::uint64_t{work.vertices}) return spans;
     return 2 * executions >= work.vertices ? transform : begin;
   }
@@ -151,7 +151,7 @@ Result<Statistics> count_work(const BenchCase& bench_case) {
   return sum;
 }
 
-/// What a stage's instructions are divided by, and its name; 0 for none.
+/// Returns the unit of a stage, as a number and a name; 0 if there is none.
 std::pair<std::uint64_t, const char*> unit_of(PipelineStage stage, const StageProfile& p) {
   using enum PipelineStage;
   switch (stage) {

@@ -25,7 +25,7 @@ std::vector<StripTimes> strip_timeline(double begin, std::span<const StripWork> 
 
 namespace {
 
-/// Of hal/zstrip_hal/shared_strips.hpp, with times in place of work.
+/// The algorithm of hal/zstrip_hal/shared_strips.hpp, with times instead of work.
 class TwoCores {
  public:
   TwoCores(double begin, std::span<const StripWork> strips)
@@ -57,7 +57,7 @@ class TwoCores {
   };
   static constexpr std::size_t kBuffers = 3;
 
-  /// False: it waits for the other core.
+  /// Returns false if the core waits for the other core.
   bool take(Core& core) {
     if (written_ < next_ && is_drawn_[written_] && !is_display_used_) {
       is_display_used_ = true;

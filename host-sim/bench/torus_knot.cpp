@@ -43,7 +43,7 @@ struct TubePoint {
   Vector position, normal;
 };
 
-// The knot runs on a torus, whose own normal and directions give the tube its frame: nothing has to be transported
+// The knot runs on a torus, whose normal and directions give the frame of the tube. So no frame has to be transported
 // along the curve, and the ends meet.
 TubePoint tube_point(std::size_t ring, std::size_t side) {
   const Angle t = share_of_turn(ring, kTorusKnotRings);
@@ -67,7 +67,7 @@ TubePoint tube_point(std::size_t ring, std::size_t side) {
   return {centre + kTubeRadius * normal, normal};
 }
 
-// To the nearest step, halves away from zero: what is symmetric stays so.
+// Rounds to the nearest step, halves away from zero, so that symmetric values stay symmetric.
 std::int16_t on_grid(std::int64_t value, Fixed half_extent) {
   const std::int64_t half = std::int64_t{half_extent} << (kBits - kFixedBits);
   const std::int64_t steps = (std::abs(value) * 65536 / half + 1) / 2;

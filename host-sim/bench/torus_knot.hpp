@@ -15,15 +15,15 @@ inline constexpr std::size_t kTorusKnotTriangles = 2 * kTorusKnotRings * kTorusK
 static_assert(kTorusKnotTriangles == 60'000);
 
 /// A closed tube, with a colour at each vertex. World units: it reaches +-1.62 in x and y and +-0.62 in z, around the
-/// origin. Turned by a quarter about z it is the same again, so that its picture from +z is as wide as it is high. Made
-/// with integers only, the same on every host.
+/// origin. A rotation by 90 degrees about z does not change it, so that its picture from +z is as wide as it is high.
+/// Made with integers only, equal on every host.
 class TorusKnot {
  public:
   TorusKnot();
   TorusKnot(const TorusKnot&) = delete;
   TorusKnot& operator=(const TorusKnot&) = delete;
 
-  /// One for each 65,535 vertices, which is one here; as long as this object lives.
+  /// Returns one mesh for each 65,535 vertices, which is one here; valid as long as this object.
   const std::vector<Mesh>& meshes() const { return meshes_; }
 
  private:

@@ -1,4 +1,4 @@
-// The rows of the visibility tables: scenes, sizes, methods, and how they are measured.
+// The rows of the visibility tables: scenes, sizes, methods, and their measurement.
 #include "bench/visibility_table.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> kTables{"midpoint", "thesis", "depth-b
 constexpr std::uint32_t kFrame = 7;  // of the workload's motion: an angle without symmetry
 constexpr std::uint32_t kRowRounds = 5;
 
-/// What a row draws.
+/// The scene of a row.
 class RowScene {
  public:
   static Result<std::unique_ptr<RowScene>> of(const VisibilityRowCase& row_case) {
@@ -44,8 +44,8 @@ class RowScene {
   }
 
  private:
-  /// At 8 distances from 2 to 40, 6 pairs each, 1/500 to 1/50,000 of the distance apart. They face the camera, so that
-  /// no tolerance of a vertex's place moves their depth.
+  /// Squares at 8 distances from 2 to 40, 6 pairs each, 1/500 to 1/50,000 of the distance apart. They face the camera,
+  /// so that a tolerance for a vertex's place does not change their depth.
   static PolygonSoup layers_soup() {
     PolygonSoup soup;
     soup.double_sided = true;
@@ -54,7 +54,7 @@ class RowScene {
       double apart = distance / 500;
       for (int column = 0; column < 6; ++column, apart /= 2.512) {
         for (int behind = 1; behind >= 0;
-             --behind) {  // where codes are equal, the first one drawn stays: the wrong one
+             --behind) {  // for equal codes the first square drawn stays, which is the wrong one
           const double size = distance * 0.05, x = distance * 0.16 * (column - 2.5), y = distance * 0.13 * (row - 3.5);
           SoupPolygon square;
           for (const auto& [across, up] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
@@ -147,7 +147,7 @@ Result<VisibilityRow> measure_visibility_row(const VisibilityRowCase& row_case, 
   const Result<std::uint64_t> wrong = count_wrong(staging, *request, row_case.scene == kLayers);
   if (!wrong) return wrong.failure();
   row.wrong = *wrong;
-  // Every fragment leaves its pixel other than black in the numbered scene, whatever the method.
+  // No fragment is black in the numbered scene, for any method.
   const Result<NumberedScene> numbered = NumberedScene::of(staging.scene);
   if (!numbered) return numbered.failure();
   const Result<LookedAtFrame> colours = draw_looked_at({numbered->scene(), staging.camera}, *request);

@@ -29,7 +29,7 @@ constexpr std::array kModels{
              "the Stanford bunny of Debian's package glmark2-data, lit: triangles smaller than pixels", 320, 240},
 };
 
-/// As if it were built in. Null if it cannot be read.
+/// Reads a model as a built-in scene. Returns null if it cannot be read.
 const scenes::BuiltIn* model_in(std::string_view file) {
   static std::map<std::string_view, std::pair<Result<Model>, scenes::BuiltIn>> models;
   const auto [entry, is_new] = models.try_emplace(file, import_model(file), scenes::BuiltIn{});

@@ -1,4 +1,4 @@
-// The workloads: built-in scenes, which the renderers of peers.hpp were measured on, and models of packages.
+// The workloads: built-in scenes, on which the renderers of peers.hpp were measured, and models of packages.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ struct Workload {
   std::string_view description;  ///< one phrase
   std::uint16_t width, height;   ///< in pixels, unless --size is given
 
-  /// Null if the scene is a model that is not installed; never one of workloads().
+  /// Returns null if the scene is a model that is not installed; never for one of workloads().
   const scenes::BuiltIn* built_in() const;
-  /// Whether boards get the scene as a file.
+  /// True if boards get the scene as a file.
   bool is_model() const;
 };
 
-/// Those that are built in.
+/// Returns the workloads with built-in scenes.
 std::span<const Workload> workloads();
-/// Those whose scene is a model of a package.
+/// Returns the workloads whose scene is a model of a package.
 std::span<const Workload> model_workloads();
 
-/// Null if there is no workload of this name.
+/// Returns null if there is no workload of this name.
 const Workload* find_workload(std::string_view name);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// A workload as other renderers take it: in floating point.
+// A workload for other renderers, in floating point.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct Vertex {
   std::uint8_t r, g, b, a;  ///< as zstrip draws it without light
 };
 
-/// Of one frame, column-major as OpenGL keeps matrices.
+/// The matrices of one frame, column-major as in OpenGL.
 struct View {
   std::array<float, 16> modelview;
   std::array<float, 16> projection;
@@ -27,17 +27,17 @@ struct View {
 /// One unlit instance of one mesh, as the benchmark's scenes have.
 class Scene {
  public:
-  /// `scene` is the name of a built-in one; empty if there is none, or if it is of another kind.
+  /// `scene` is the name of a built-in scene; returns nothing if there is no such scene, or if it is of another kind.
   static std::optional<Scene> open(const std::string& scene);
 
   std::span<const Vertex> vertices() const { return vertices_; }
   std::span<const Triangle> triangles() const { return mesh_->triangles; }
   bool smooth() const { return material_->smooth; }
   bool double_sided() const { return material_->double_sided; }
-  /// Null without one.
+  /// Returns the texture, or null if there is none.
   const Texture* texture() const { return texture_; }
   Colour background() const { return built_in_->scene.background; }
-  /// Camera and model of a frame of the workload.
+  /// Returns camera and model matrices of a frame of the workload.
   View view(std::uint32_t frame, int width, int height) const;
 
  private:

@@ -117,7 +117,7 @@ void on_access(unsigned /*vcpu*/, qemu_plugin_meminfo_t info, std::uint64_t addr
   if (!cache.touch(cache.line_of(static_cast<std::uint32_t>(address)))) ++plugin.counts.read_misses;
 }
 
-/// qemu_plugin_insn_size() counts what was fetched, which at the end of a page is more than the instruction.
+/// qemu_plugin_insn_size() counts the fetched bytes, which at the end of a page are more than the instruction.
 std::uint32_t thumb_bytes(const qemu_plugin_insn* instruction) {
   const auto* const bytes = static_cast<const std::uint8_t*>(qemu_plugin_insn_data(instruction));
   constexpr std::uint8_t kFirstOfFour = 0xE8;  // the upper byte of the first half-word, from here on
@@ -138,7 +138,7 @@ void on_translation(qemu_plugin_id_t /*id*/, qemu_plugin_tb* tb) {
       std::fprintf(plugin.out, "i %" PRIx32 " %" PRIu32 " %s\n", address, bytes, text);
       std::free(text);
     }
-    // Both: QEMU 7.2 takes the two for each other.
+    // Both: QEMU 7.2 exchanges the two.
     qemu_plugin_register_vcpu_mem_cb(instruction, on_access, QEMU_PLUGIN_CB_NO_REGS, QEMU_PLUGIN_MEM_RW, nullptr);
   }
   const auto number = static_cast<std::uint32_t>(plugin.blocks.size());
@@ -149,7 +149,7 @@ void on_translation(qemu_plugin_id_t /*id*/, qemu_plugin_tb* tb) {
 
 void on_exit(qemu_plugin_id_t /*id*/, void* /*userdata*/) { std::fclose(plugin.out); }
 
-/// Numbers separated by colons; empty if anything else is between them.
+/// Returns numbers separated by colons; empty if there is other text between them.
 std::vector<std::uint32_t> numbers(std::string_view text, int base) {
   std::vector<std::uint32_t> values;
   while (true) {

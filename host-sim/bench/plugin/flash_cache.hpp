@@ -15,7 +15,7 @@ class FlashCache {
 
   std::uint32_t line_of(std::uint32_t address) const { return address / line_bytes_; }
 
-  /// Whether the line was there; now it is, as the most recently used one of its set.
+  /// Returns true if the line was in the cache; makes it the most recently used line of its set.
   bool touch(std::uint32_t line) {
     if (tags_.empty()) return false;
     const std::size_t sets = tags_.size() / ways_;
@@ -32,7 +32,7 @@ class FlashCache {
   static constexpr std::uint32_t kEmpty = 0xFFFFFFFF;
   std::uint32_t ways_;
   std::uint32_t line_bytes_;
-  std::vector<std::uint32_t> tags_;  // each set from the most to the least recently used
+  std::vector<std::uint32_t> tags_;  // each set in the order from the most to the least recently used
 };
 
 }  // namespace zstrip::sim

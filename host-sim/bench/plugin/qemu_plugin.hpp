@@ -26,7 +26,7 @@ void qemu_plugin_register_vcpu_mem_cb(qemu_plugin_insn* insn,
                                       void (*cb)(unsigned vcpu, qemu_plugin_meminfo_t info, std::uint64_t vaddr,
                                                  void* userdata),
                                       qemu_plugin_cb_flags flags, qemu_plugin_mem_rw rw, void* userdata);
-/// Of a memory access: whether it writes.
+/// Returns true if the memory access writes.
 bool qemu_plugin_mem_is_store(qemu_plugin_meminfo_t info);
 void qemu_plugin_register_atexit_cb(qemu_plugin_id_t id, void (*cb)(qemu_plugin_id_t, void*), void* userdata);
 
@@ -34,12 +34,12 @@ std::size_t qemu_plugin_tb_n_insns(const qemu_plugin_tb* tb);
 std::uint64_t qemu_plugin_tb_vaddr(const qemu_plugin_tb* tb);
 qemu_plugin_insn* qemu_plugin_tb_get_insn(const qemu_plugin_tb* tb, std::size_t index);
 std::uint64_t qemu_plugin_insn_vaddr(const qemu_plugin_insn* insn);
-/// Its bytes in memory.
+/// Returns the instruction's bytes in memory.
 const void* qemu_plugin_insn_data(const qemu_plugin_insn* insn);
-/// The caller frees it.
+/// Returns the disassembled text; the caller frees it.
 char* qemu_plugin_insn_disas(const qemu_plugin_insn* insn);
 
-// What the emulator looks for in a plugin.
+// The symbols that the emulator looks for in a plugin.
 [[gnu::visibility("default")]] extern int qemu_plugin_version;
 [[gnu::visibility("default")]] int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t* info, int count,
                                                        char** arguments);
