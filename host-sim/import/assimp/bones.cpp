@@ -1,4 +1,4 @@
-// Assimp's bones: where they hold a mesh' vertices at rest.
+// Assimp's bones: the positions of a mesh's vertices at rest.
 #include "import/assimp/bones.hpp"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// What makes a vertex vanish, or is no number, moves nothing.
+/// False for matrices that make a vertex vanish, or that have invalid numbers: such bones move nothing.
 bool is_usable(const aiMatrix4x4& matrix) {
   const double size = std::abs(double{matrix.Determinant()});
   return std::isfinite(size) && size > 1e-12;
@@ -44,7 +44,7 @@ std::vector<aiMatrix4x4> bones_at_rest(const aiScene& scene, const aiMatrix4x4& 
     }
   }
   for (const std::vector<Influence>& each : influences) {
-    // What no bone moves hangs on the mesh's node.
+    // Vertices without a bone move with the mesh's node.
     if (each.empty()) {
       at_rest.push_back(transform);
       continue;

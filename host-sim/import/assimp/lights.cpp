@@ -1,4 +1,4 @@
-// What lights a file's scene: Assimp's lights as those of the source model.
+// Converts Assimp's lights to those of the source model.
 #include "import/assimp/lights.hpp"
 
 #include <fmt/format.h>

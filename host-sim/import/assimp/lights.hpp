@@ -1,4 +1,4 @@
-// What lights a file's scene: Assimp's lights as those of the source model.
+// Converts Assimp's lights to those of the source model.
 #pragma once
 
 #include <assimp/scene.h>
@@ -7,8 +7,8 @@
 
 namespace zstrip::sim {
 
-/// `turn` comes after all nodes. Only directional ones: formats do not agree on the units of others, which are counted
-/// in a warning.
+/// `turn` is applied after all nodes. Only directional lights are converted, because formats disagree on the units of
+/// others; a warning counts the others.
 void read_lights(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& model);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Colours in proportion to light, as programs like Blender write them.
+// Detects colours that are linear in light, as programs like Blender write them.
 #include "import/assimp/linear_colours.hpp"
 
 #include <assimp/commonMetaData.h>

@@ -1,4 +1,4 @@
-// Colours in proportion to light, as programs like Blender write them.
+// Detects colours that are linear in light, as programs like Blender write them.
 #pragma once
 
 #include <assimp/scene.h>
@@ -7,8 +7,8 @@
 
 namespace zstrip::sim {
 
-/// True if the file says that Blender wrote it: its diffuse colours are linear then, and those of other programs are as
-/// the screen shows them. OBJ says it in comments, which plain_mtl reads.
+/// True if the file says that Blender wrote it: its diffuse colours are then linear, and those of other programs are as
+/// on the screen. OBJ says it in comments, which plain_mtl reads.
 bool has_linear_colours(const aiScene& scene, const std::filesystem::path& path);
 
 }  // namespace zstrip::sim

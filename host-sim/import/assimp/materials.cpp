@@ -1,4 +1,4 @@
-// Assimp's materials and textures as source materials and decoded pictures.
+// Converts Assimp's materials and textures to source materials and decoded pictures.
 #include "import/assimp/materials.hpp"
 
 #include <assimp/material.h>
@@ -18,11 +18,11 @@
 namespace zstrip::sim {
 namespace {
 
-/// What a file without materials is drawn with; Assimp's own default is darker.
+/// The colour of files without materials; Assimp's own default is darker.
 constexpr std::array<std::uint8_t, 3> kDefaultColour{204, 204, 204};
 
 Result<RgbImage> decode_embedded(const aiTexture& texture) {
-  if (texture.mHeight == 0) {  // a whole picture file of mWidth bytes
+  if (texture.mHeight == 0) {  // a complete picture file of mWidth bytes
     return decode_image({reinterpret_cast<const std::uint8_t*>(texture.pcData), texture.mWidth});
   }
   if (texture.mWidth == 0) return Failure{ExitStatus::input, "has no pixels"};
@@ -34,7 +34,7 @@ Result<RgbImage> decode_embedded(const aiTexture& texture) {
   return image;
 }
 
-/// Decals end at their border; the nearest that there is clamps.
+/// Decals end at their border; clamping is the nearest available mode.
 TextureWrap wrap_of(const aiMaterial& from, const char* key, unsigned type, unsigned index) {
   int mode = aiTextureMapMode_Wrap;
   if (from.Get(key, type, index, mode) != AI_SUCCESS) return TextureWrap::repeat;
@@ -84,8 +84,8 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
     if (from.Get(AI_MATKEY_UVWSRC(type, 0), set) == AI_SUCCESS && set >= 0) texcoord_set = static_cast<unsigned>(set);
     break;
   }
-  // Exporters write black, or nothing, beside a texture that is to be seen as it is. Blender's takes the colour's
-  // place.
+  // Exporters write black, or nothing, for a texture that is to be shown unchanged. Blender's texture replaces the
+  // colour.
   const bool textured = to.texture != kNoSourceTexture;
   if (textured && (is_default || linear_ || to.colour == std::array<std::uint8_t, 3>{0, 0, 0}))
     to.colour = {255, 255, 255};

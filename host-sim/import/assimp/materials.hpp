@@ -1,4 +1,4 @@
-// Assimp's materials and textures as source materials and decoded pictures.
+// Converts Assimp's materials and textures to source materials and decoded pictures.
 #pragma once
 
 #include <assimp/scene.h>
@@ -13,14 +13,14 @@
 
 namespace zstrip::sim {
 
-/// Fills `model.materials` (one for each of the scene's, same index), `model.textures` and warnings for what cannot be
-/// read. Texture files are looked for beside the model.
+/// Sets `model.materials` (one for each of the scene's, same index) and `model.textures`, and adds warnings for
+/// textures that cannot be read. Texture files are searched next to the model.
 class MaterialReader {
  public:
   MaterialReader(const aiScene& scene, const std::filesystem::path& path, SourceModel& model);
   void read_all();
 
-  /// The texture coordinate set that the material's texture uses.
+  /// Returns the set of texture coordinates that the material's texture uses.
   unsigned texcoord_set(unsigned material) const { return texcoord_sets_[material]; }
 
  private:
@@ -29,7 +29,7 @@ class MaterialReader {
 
   const aiScene& scene_;
   std::filesystem::path folder_;
-  bool linear_;  ///< the colours of materials, which Blender wrote
+  bool linear_;  ///< colours of materials are linear, because Blender wrote them
   SourceModel& model_;
   std::map<std::string, std::uint32_t> known_textures_;  ///< by name; also those that failed
   std::vector<unsigned> texcoord_sets_;

@@ -1,4 +1,4 @@
-// OBJ and its materials as Assimp 5.2 reads them right.
+// Converts OBJ and its materials to a form that Assimp 5.2 reads correctly.
 #include "import/assimp/obj_text.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpaces) - first + 1);
 }
 
-/// Takes the next line off `text`, without spaces around it.
+/// Removes the next line from `text` and returns it without spaces around it.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_of(kLineEnds), text.size());
   const std::string_view line = trimmed(text.substr(0, end));
@@ -32,7 +32,7 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Takes the next word off `line`; none is left: empty.
+/// Removes the next word from `line` and returns it; empty if there is none.
 std::string_view take_word(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
   const std::string_view word = line.substr(0, line.find_first_of(kSpaces));
@@ -40,7 +40,7 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-/// The words up to a comment, at most so many.
+/// Returns the words before a comment, at most so many.
 template <std::size_t most>
 std::span<const std::string_view> take_words(std::string_view line, std::array<std::string_view, most>& words) {
   std::size_t count = 0;
@@ -61,7 +61,7 @@ void append(std::string& to, std::string_view key, std::span<const std::string_v
   }
 }
 
-/// A line that ends in a backslash goes on in the next one.
+/// Joins a line that ends in a backslash with the next one.
 std::string with_joined_lines(std::string_view text) {
   std::string joined;
   joined.reserve(text.size());
@@ -102,7 +102,7 @@ void append_vertex(std::string& to, std::span<const std::string_view> words, boo
   to += '\n';
 }
 
-/// Some exporters write the decimal comma of their country.
+/// Some exporters write a decimal comma.
 std::optional<double> number_of(std::string_view word) {
   std::string text(word.starts_with('+') ? word.substr(1) : word);
   std::ranges::replace(text, ',', '.');
@@ -113,7 +113,7 @@ std::optional<double> number_of(std::string_view word) {
   return value;
 }
 
-/// Three numbers, or one for all three channels.
+/// Reads three numbers, or one for all three channels.
 std::optional<std::array<double, 3>> colour_of(std::string_view line) {
   std::array<std::string_view, 3> words;
   const std::span<const std::string_view> found = take_words(line, words);
@@ -166,16 +166,16 @@ std::string plain_obj(std::string_view from) {
 
 namespace {
 
-/// A material of an MTL while its lines are read.
+/// The values of an MTL material while its lines are read.
 struct MtlMaterial {
-  std::string_view name, texture, illumination;  ///< as they are in the file, behind their key
+  std::string_view name, texture, illumination;  ///< as in the file, after their key
   std::optional<std::array<double, 3>> colour;
   bool bad_colour = false, emits = false;
 };
 
 /// True if options of a texture scale it (-s) or move it (-o).
 bool is_placed(std::string_view texture) {
-  double neutral = -1;  // none: these numbers place nothing
+  double neutral = -1;  // the value without effect; -1: none, these numbers do not move or scale
   for (std::string_view word = take_word(texture); !word.empty(); word = take_word(texture)) {
     const std::optional<double> number = number_of(word);
     if (number && neutral >= 0 && *number != neutral) return true;
@@ -187,7 +187,7 @@ bool is_placed(std::string_view texture) {
 void append(std::string& to, const MtlMaterial& material, bool linear) {
   to += fmt::format("newmtl {}\n", material.name);
   std::optional<std::array<double, 3>> colour = material.colour;
-  // Blender's texture takes the place of the colour.
+  // Blender's texture replaces the colour.
   if (!material.texture.empty() && (linear || !colour)) colour = {1, 1, 1};
   if (colour) {
     to += "Kd";

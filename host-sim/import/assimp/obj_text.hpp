@@ -1,4 +1,4 @@
-// OBJ and its materials as Assimp 5.2 reads them right.
+// Converts OBJ and its materials to a form that Assimp 5.2 reads correctly.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace zstrip::sim {
 
-/// Whether the comments that a text of OBJ or MTL begins with name Blender, whose colours are linear.
+/// True if the comments at the beginning of an OBJ or MTL text name Blender, whose colours are linear.
 bool is_of_blender(std::string_view text);
 
-/// The colour of a vertex without one, in a file that has others with one.
+/// The colour of a vertex without one, in a file where other vertices have one.
 inline constexpr float kNoColour = -1;
 
-/// Vertices have 3 or 4 numbers, or 3 and a colour, all or none of them. Texture coordinates have 2 or 3. Numbers have
-/// a leading zero, names no spaces behind them.
+/// In the result all vertices have 3 or 4 numbers, or all have 3 and a colour. Texture coordinates have 2 or 3. Numbers
+/// have a leading zero, names no spaces after them.
 std::string plain_obj(std::string_view from);
 
-/// MTL of the lines that are drawn: names, diffuse colours and textures, illumination. Assimp refuses a file for some
-/// of the others. `linear`: the diffuse colours are; else is_of_blender() says it. Without a colour a texture is seen
-/// as it is. `warnings`: is added to.
+/// Returns an MTL with only the lines that are drawn: names, diffuse colours and textures, illumination. Assimp refuses
+/// a file for some of the others. `linear`: diffuse colours are linear; otherwise is_of_blender() decides. Without a
+/// colour a texture is shown unchanged. Warnings are added to `warnings`.
 std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings);
 
 }  // namespace zstrip::sim

@@ -32,10 +32,10 @@
 namespace zstrip::sim {
 namespace {
 
-/// Adding zero turns -0 into 0, so that equal vertices are equal bytes.
+/// Adding zero changes -0 to 0, so that equal vertices are equal bytes.
 std::array<float, 3> components(const aiVector3D& v) { return {v.x + 0.0F, v.y + 0.0F, v.z + 0.0F}; }
 
-/// Unit length, or zero where there is no direction.
+/// Returns a vector of unit length, or zero if there is no direction.
 aiVector3D direction(const aiVector3D& v) {
   const float length = v.Length();
   return std::isfinite(length) && length > 1e-20F ? v / length : aiVector3D();
@@ -53,7 +53,7 @@ aiMatrix3x3 map_of_normals(const aiMatrix4x4& of_positions) {
   return linear;
 }
 
-/// While it lives, what is written to std::cout and std::cerr is lost: some of Assimp's readers write there, and
+/// During its lifetime, text written to std::cout and std::cerr is discarded: some of Assimp's readers write there, and
 /// failures of the command are one line.
 class SilentStreams {
  public:
@@ -69,12 +69,12 @@ class SilentStreams {
   std::streambuf *out_, *err_;
 };
 
-/// Of a vertex, in a file where others have one.
+/// True if the vertex has a colour, in a file where other vertices have one.
 bool has_colour(const aiColor4D& colour) {
   return colour.r != kNoColour || colour.g != kNoColour || colour.b != kNoColour;
 }
 
-/// Of a face: Assimp's triangulation takes a time that grows faster than their square.
+/// Limit for a face's corners: the time of Assimp's triangulation grows faster than their square.
 constexpr unsigned kMaxCorners = 5'000;
 
 unsigned most_corners(const aiScene& scene) {
@@ -85,7 +85,7 @@ unsigned most_corners(const aiScene& scene) {
   return most;
 }
 
-/// Walks the nodes and collects their meshes, transformed.
+/// Walks the nodes and collects their transformed meshes.
 class Collector {
  public:
   Collector(const aiScene& scene, const aiMatrix4x4& turn, const MaterialReader& materials, Texcoords texcoords,
@@ -117,7 +117,7 @@ Result<Done> Collector::collect() {
       if (index >= scene_.mNumMeshes) continue;
       if (const Result<Done> added = add(*scene_.mMeshes[index], transform); !added) return added.failure();
     }
-    // In reverse, so that children come off the stack in the file's order.
+    // In reverse, so that children are removed from the stack in the file's order.
     for (unsigned child = node->mNumChildren; child-- > 0;) {
       open.emplace_back(node->mChildren[child], transform * node->mChildren[child]->mTransformation);
     }
@@ -180,14 +180,14 @@ Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
     if (face.mNumIndices == 3) to.indices.insert(to.indices.end(), face.mIndices, face.mIndices + 3);
     if (face.mNumIndices < 3) to.segments.insert(to.segments.end(), {*face.mIndices, *last});
   }
-  // A cloud of points, as scanners write them.
+  // A point cloud from a scanner.
   for (unsigned i = 0; mesh.mNumFaces == 0 && i < mesh.mNumVertices; ++i) {
     to.segments.insert(to.segments.end(), {i, i});
   }
   return groups_.add(to);
 }
 
-/// Vertex colours stand for the material's colour and are not multiplied with it.
+/// Makes vertex colours replace the material's colour, which would otherwise multiply them.
 void colour_by_vertices(SourceModel& model) {
   const auto set_white = [&model](auto& coloured) {
     if (!coloured.has_colours) return;
@@ -206,7 +206,7 @@ Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional
                                 const std::function<void()>& parsed) {
   FilesRead files;
   Assimp::Importer importer;
-  importer.SetIOHandler(std::make_unique<ModelFiles>(path, files).release());  // which it owns
+  importer.SetIOHandler(std::make_unique<ModelFiles>(path, files).release());  // the importer owns it
   const SilentStreams silent;
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene != nullptr) {

@@ -1,4 +1,4 @@
-// Reads a model file of any format that Assimp knows; glTF 2.0 has a reader of its own.
+// Reads a model file of any format of Assimp; glTF 2.0 has its own reader.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace zstrip::sim {
 
-/// What read_model promises of a model. `parsed` is called once Assimp has done its part. The failure's message starts
-/// with a verb.
+/// Has the same result as read_model. Calls `parsed` when Assimp has finished. The failure's message starts with a
+/// verb.
 Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                                 const std::function<void()>& parsed);
 

@@ -1,4 +1,4 @@
-// STL as Assimp 5.2 reads it right.
+// Converts STL to a form that Assimp 5.2 reads correctly.
 #include "import/assimp/stl_text.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;  // a header ends in the number of triangles
+constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;  // the header ends with the number of triangles
 constexpr std::string_view kBlanks = " \t\r\n";
 
 std::size_t triangles_of(std::string_view bytes) {
@@ -18,7 +18,7 @@ std::size_t triangles_of(std::string_view bytes) {
   return count;
 }
 
-/// Gives each triangle a colour of its own, and bit 15 the meaning that it has in other files.
+/// Gives each triangle its own colour, and bit 15 the same meaning as in other files.
 void set_colours_of_magics(std::string& bytes) {
   constexpr std::string_view kColour = "COLOR=";  // red, green, blue, alpha
   const std::size_t name = std::string_view(bytes).substr(0, kHeaderBytes - 4).find(kColour);
@@ -35,7 +35,7 @@ void set_colours_of_magics(std::string& bytes) {
   }
 }
 
-/// Whether words like -1.#IND and nan are among the next three.
+/// True if words like -1.#IND and nan are among the next three.
 bool has_words(std::string_view numbers) { return numbers.find_first_not_of(" \t\r0123456789+-.eE") != numbers.npos; }
 
 std::string with_plain_normals(std::string_view text) {

@@ -1,4 +1,4 @@
-// What Assimp leaves out of files without a word.
+// Warns of parts of files that Assimp ignores without a message.
 #include "import/assimp/unread.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// As the header of a PLY file says.
+/// Returns the number of edges in the header of a PLY file.
 std::uint64_t edges_of_ply(const std::filesystem::path& path) {
   constexpr int kMaxLines = 1000;
   std::ifstream file(path, std::ios::binary);
@@ -34,7 +34,7 @@ void warn_of_unread(const std::filesystem::path& path, const FilesRead& files, S
   const std::string ending = ending_of(path);
   model.warnings.insert(model.warnings.end(), files.warnings.begin(), files.warnings.end());
   if (ending == ".obj" && !files.not_opened.empty()) {
-    // What follows is a guess of Assimp's.
+    // Assimp guesses the material.
     model.warnings.push_back(fmt::format("materials '{}' cannot be opened; what uses them is drawn without",
                                          printable(files.not_opened.front())));
   }

@@ -1,4 +1,4 @@
-// What Assimp leaves out of files without a word.
+// Warns of parts of files that Assimp ignores without a message.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,7 @@
 
 namespace zstrip::sim {
 
-/// Adds warnings for files of materials that OBJ names and that are not there, and for edges of PLY; and those
-/// of `files`.
+/// Adds warnings for missing files of materials that OBJ names, for edges of PLY, and those of `files`.
 void warn_of_unread(const std::filesystem::path& path, const FilesRead& files, SourceModel& model);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Which axis of a model points upwards, by its format.
+// The axis of a model that points upwards, by its format.
 #include "import/assimp/up_axis.hpp"
 
 #include <assimp/metadata.h>
@@ -12,14 +12,14 @@
 namespace zstrip::sim {
 namespace {
 
-/// Formats of print and CAD, of Blender, trueSpace, Quick3D, Half-Life and 3D GameStudio.
+/// Formats of printing and CAD, of Blender, trueSpace, Quick3D, Half-Life and 3D GameStudio.
 constexpr std::string_view kUpwardsZ[] = {".stl", ".3mf", ".amf", ".blend", ".cob", ".scn",
                                           ".q3o", ".q3s", ".smd", ".vta",   ".hmp"};
 
 }  // namespace
 
 UpAxis up_of_format(const aiScene& scene, const std::filesystem::path& path) {
-  // FBX says it of each file.
+  // Each FBX file has its own axis.
   std::int32_t axis = 0;
   if (scene.mMetaData != nullptr && scene.mMetaData->Get("UpAxis", axis)) {
     std::int32_t sign = 1;

@@ -1,4 +1,4 @@
-// Which axis of a model points upwards, by its format.
+// The axis of a model that points upwards, by its format.
 #pragma once
 
 #include <assimp/scene.h>
@@ -9,7 +9,7 @@
 
 namespace zstrip::sim {
 
-/// Of what Assimp has read: it turns some formats itself (3DS, ASE, DXF, IFC, MD2, MD5, Collada), others not.
+/// Returns the axis in Assimp's result: Assimp itself rotates some formats (3DS, ASE, DXF, IFC, MD2, MD5, Collada).
 UpAxis up_of_format(const aiScene& scene, const std::filesystem::path& path);
 
 }  // namespace zstrip::sim
