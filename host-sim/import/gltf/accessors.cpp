@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// More vertices than models may have: a small file must not ask for gigabytes.
+/// Larger than any model's number of vertices: a small file must not request gigabytes.
 constexpr std::size_t kMaxElements = 30'000'000;
 
 enum class Component : std::size_t {
@@ -44,7 +44,7 @@ std::optional<Component> component_in(const GltfJson& json) {
   return static_cast<Component>(number);
 }
 
-/// What an element is made of: columns of `rows` numbers each, each column on a multiple of four bytes.
+/// The layout of an element: columns of `rows` numbers each, each column at a multiple of four bytes.
 struct Shape {
   std::size_t columns = 1, rows = 1;
 };
@@ -61,7 +61,7 @@ std::optional<Shape> shape_in(const GltfJson& json) {
   return std::nullopt;
 }
 
-/// Little-endian, at any address.
+/// Reads little-endian values at any address.
 template <typename Stored>
 Stored stored_at(const std::uint8_t* bytes) {
   static_assert(std::endian::native == std::endian::little);
@@ -85,7 +85,7 @@ double number_at(const std::uint8_t* bytes, Component component, bool normalised
   return double{stored_at<float>(bytes)};
 }
 
-/// Where elements lie, known to be inside of their view.
+/// The location of elements, which is known to be inside their view.
 struct Layout {
   std::span<const std::uint8_t> bytes;
   std::size_t stride = 0;
@@ -97,7 +97,7 @@ struct Layout {
     const std::size_t size = shape.rows * bytes_of(component);
     return shape.columns == 1 ? size : (size + 3) / 4 * 4;
   }
-  /// Without what follows the last number.
+  /// Returns the bytes of an element without padding after the last number.
   std::size_t element_bytes() const { return (shape.columns - 1) * column_bytes() + shape.rows * bytes_of(component); }
   template <typename Number>
   Number number(std::size_t element, std::size_t column, std::size_t row) const {
@@ -117,7 +117,7 @@ bool is_unsigned(Component component) {
          component == Component::unsigned_integer;
 }
 
-/// Takes the view's bytes from `part`'s offset on, where `count` elements fit into them.
+/// Sets the location to the view's bytes from `part`'s offset on, if `count` elements fit.
 Result<Done> place(GltfBuffers& buffers, const GltfJson& part, std::size_t count, const std::string& name,
                    Layout& layout) {
   const std::optional<std::size_t> index = index_in(part, "bufferView");
@@ -142,7 +142,7 @@ void read_element(const Layout& layout, std::size_t element, Number* to) {
   }
 }
 
-/// Puts the elements that a sparse accessor lists in place of those that are there.
+/// Replaces the elements that a sparse accessor lists.
 template <typename Number>
 Result<Done> replace_elements(GltfBuffers& buffers, const GltfJson& sparse, Layout layout, const std::string& name,
                               GltfValues<Number>& values) {
@@ -184,7 +184,7 @@ Result<GltfValues<Number>> GltfAccessors::read(std::size_t accessor) {
                 .normalised = flag_in(from, "normalized") && *component != Component::floating};
   const GltfJson& sparse = member(from, "sparse");
   GltfValues<Number> values{.components = shape->columns * shape->rows, .numbers = {}};
-  // Without a view all are zero.
+  // Without a view all elements are zero.
   if (member(from, "bufferView").is_null()) {
     values.numbers.resize(count * values.components);
   } else {

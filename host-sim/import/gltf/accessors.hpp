@@ -24,9 +24,9 @@ class GltfAccessors {
  public:
   GltfAccessors(const GltfDocument& document, GltfBuffers& buffers) : document_(document), buffers_(buffers) {}
 
-  /// Normalised integers become 0..1 or -1..1, others stay what they are. The failure's message is a reason.
+  /// Normalised integers become 0..1 or -1..1, others are not scaled. The failure's message is a reason.
   Result<GltfValues<float>> floats(std::size_t accessor);
-  /// Of unsigned integers, as they are.
+  /// Returns unsigned integers, not scaled.
   Result<GltfValues<std::uint32_t>> integers(std::size_t accessor);
 
  private:

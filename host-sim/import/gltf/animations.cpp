@@ -18,10 +18,10 @@
 namespace zstrip::sim {
 namespace {
 
-/// For what does not move, in seconds.
+/// Duration of animations without motion, in seconds.
 constexpr double kPoseDuration = 1;
 
-/// A channel's node and path; none where it has no node of the file.
+/// A channel's node and path; empty if the node is not in the file.
 struct Target {
   std::size_t node;
   std::string path;
@@ -63,7 +63,7 @@ Value value_at(const GltfValues<float>& values, std::size_t index) {
   return value;
 }
 
-/// Keys that are no numbers, or not later than the one before, are left out and counted.
+/// Keys that are not numbers, or not later than the key before, are left out and counted.
 template <typename Value>
 Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessors, std::uint64_t& left_out) {
   const std::optional<std::size_t> input = index_in(sampler, "input"), output = index_in(sampler, "output");
@@ -157,7 +157,7 @@ bool animations_morph(const GltfJson& json) {
 
 Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes,
                                   SourceModel& model) {
-  std::optional<NodeAnimation> pose;  // of an animation without a length; seen where there is no other
+  std::optional<NodeAnimation> pose;  // an animation of length 0; shown if there is no other one
   for (std::size_t i = 0; i < count_of(json, "animations"); ++i) {
     std::uint64_t left_out = 0;
     Result<NodeAnimation> read = read_animation(element(member(json, "animations"), i), accessors, nodes, left_out);

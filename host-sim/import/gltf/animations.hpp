@@ -1,4 +1,4 @@
-// Animations of a glTF file: curves of its nodes. Those of morph targets are left out.
+// Animations of a glTF file: curves of its nodes. Animations of morph targets are left out.
 #pragma once
 
 #include <set>
@@ -11,12 +11,12 @@
 
 namespace zstrip::sim {
 
-/// The nodes that some animation of the file moves, turns or grows.
+/// Returns the nodes that an animation of the file moves, rotates or scales.
 std::set<std::size_t> nodes_of_animations(const GltfJson& json);
-/// Whether some animation of the file changes weights of morph targets.
+/// True if an animation of the file changes weights of morph targets.
 bool animations_morph(const GltfJson& json);
 
-/// Fills `model.nodes.animations`; `nodes` knows which nodes move. The failure's message is a reason.
+/// Sets `model.nodes.animations`; `nodes` knows the moving nodes. The failure's message is a reason.
 Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes,
                                   SourceModel& model);
 

@@ -1,4 +1,4 @@
-// The numbers of a primitive: from accessors, or from the compressed mesh that stands in for them.
+// The numbers of a primitive: from accessors, or from the compressed mesh that replaces them.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@ namespace zstrip::sim {
 
 class GltfAttributes {
  public:
-  /// `primitive` must outlive it. The failure's message is a reason, as all below.
+  /// `primitive` must outlive the result. The failure's message is a reason, as for all functions below.
   static Result<GltfAttributes> open(const GltfJson& primitive, GltfAccessors& accessors, GltfBuffers& buffers);
 
-  /// Whether the primitive has this attribute ("POSITION").
+  /// True if the primitive has this attribute ("POSITION").
   bool has(const std::string& name) const;
-  /// Empty where it has not; else of at least `vertices` elements with at least `least` components.
+  /// Returns at least `vertices` elements with at least `least` components; empty if the attribute does not exist.
   Result<GltfValues<float>> floats(const std::string& name, std::size_t vertices, std::size_t least) const;
   Result<GltfValues<std::uint32_t>> integers(const std::string& name, std::size_t vertices, std::size_t least) const;
-  /// Those of all vertices in order where it has none.
+  /// Returns the indices; if there are none, those of all vertices in order.
   Result<std::vector<std::uint32_t>> indices(std::size_t vertices) const;
 
  private:
@@ -38,7 +38,8 @@ class GltfAttributes {
   std::optional<DracoMesh> compressed_;
 };
 
-/// Of one accessor: fails where it has fewer elements or components, or more than four of these. `what`: for messages.
+/// Reads one accessor; fails if it has fewer elements or components, or more than four components. `what`: for
+/// messages.
 Result<GltfValues<float>> fitting_floats(GltfAccessors& accessors, std::size_t accessor, const std::string& what,
                                          std::size_t vertices, std::size_t least);
 

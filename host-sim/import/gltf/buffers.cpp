@@ -1,4 +1,4 @@
-// The bytes of a glTF file: buffers in the file, beside it or in data URIs, and views of them.
+// The bytes of a glTF file: buffers in the file, next to it or in data URIs, and views of them.
 #include "import/gltf/buffers.hpp"
 
 #include <fmt/format.h>

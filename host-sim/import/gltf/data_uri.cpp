@@ -1,4 +1,4 @@
-// URIs that hold their data themselves, and escapes in those that do not.
+// URIs that contain their data, and escapes in other URIs.
 #include "import/gltf/data_uri.hpp"
 
 namespace zstrip::sim {
@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::string_view kScheme = "data:";
 
-/// 0..63; -1 of what is no letter of base64 (RFC 4648, and its letters for URIs).
+/// Returns 0..63; -1 for other characters than those of base64 (RFC 4648, and its letters for URIs).
 int base64_value(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;

@@ -1,4 +1,4 @@
-// URIs that hold their data themselves (RFC 2397), and escapes in those that do not (RFC 3986).
+// URIs that contain their data (RFC 2397), and escapes in other URIs (RFC 3986).
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 namespace zstrip::sim {
 
 bool is_data_uri(std::string_view uri);
-/// The bytes of a data URI; none where its base64 is damaged.
+/// Returns the bytes of a data URI; nothing if its base64 is damaged.
 std::optional<std::vector<std::uint8_t>> bytes_of_data_uri(std::string_view uri);
-/// "a%20b" as "a b"; what is no escape stays as it is.
+/// Returns "a b" for "a%20b"; invalid escapes do not change.
 std::string without_escapes(std::string_view uri);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,5 @@
-// A glTF file's two parts. Of a .glb: a header of 12 bytes (magic, version, length), then chunks (length, type, data).
+// The two parts of a glTF file. A .glb has a header of 12 bytes (magic, version, length), then chunks (length, type,
+// data).
 #include "import/gltf/document.hpp"
 
 #include <fmt/format.h>
@@ -26,13 +27,13 @@ bool is_binary(std::span<const std::uint8_t> file) {
   return file.size() >= kHeaderBytes && std::equal(kMagic.begin(), kMagic.end(), file.begin());
 }
 
-/// Chunks end at a multiple of four bytes. Some writers count only the bytes before that, others do not fill it.
+/// Chunks end at a multiple of four bytes. Some writers do not count the padding, others do not write it.
 std::size_t bytes_to_next(std::span<const std::uint8_t> data_on, std::size_t length) {
   const bool follows = data_on.size() >= length + kChunkBytes && word_at(data_on, length + 4) == kBinaryChunk;
   return follows ? length : std::min(data_on.size(), (length + 3) / 4 * 4);
 }
 
-/// The next chunk of this type or any other; takes it off `rest`.
+/// Removes the next chunk, of any type, from `rest` and returns it.
 Result<std::pair<std::uint32_t, std::span<const std::uint8_t>>> take_chunk(std::span<const std::uint8_t>& rest) {
   if (rest.size() < kChunkBytes) return gltf_damaged("the file ends in the header of a chunk");
   const std::size_t length = word_at(rest, 0);

@@ -1,4 +1,4 @@
-// A glTF file's two parts: its JSON, and the bytes that a .glb has beside it.
+// The two parts of a glTF file: its JSON, and the additional bytes of a .glb.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@
 
 namespace zstrip::sim {
 
-/// The bytes of what a file names by a relative URI, which may have escapes (%20). The failure's message starts with
-/// a verb.
+/// Returns the bytes of a file with a relative URI, which may have escapes (%20). The failure's message starts with a
+/// verb.
 using ReadUri = std::function<Result<std::vector<std::uint8_t>>(const std::string& uri)>;
 
-// Moving JSON throws nothing, which clang-tidy does not see.
+// Moving JSON throws nothing, which clang-tidy cannot see.
 struct GltfDocument {  // NOLINT(bugprone-exception-escape)
   GltfJson json;
   std::optional<std::vector<std::uint8_t>> binary;  ///< the second chunk of a .glb
   int version = 2;                                  ///< the first number of asset.version
 };
 
-/// Of a .gltf or .glb. The failure's message is a reason, in brackets later ("ends in the middle of ...").
+/// Parses a .gltf or .glb. The failure's message is a reason, later shown in brackets ("ends in the middle of ...").
 Result<GltfDocument> parse_gltf(std::span<const std::uint8_t> file);
 
-/// A damaged file: `reason` without a name and without a full stop.
+/// Returns the failure of a damaged file: `reason` has no name and no full stop.
 Failure gltf_damaged(std::string reason);
-/// The same as a message that starts with a verb, as readers of all formats say it.
+/// Returns the failure with a message that starts with a verb, as readers of all formats return it.
 Failure unreadable_model(const std::string& reason);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Primitives that KHR_draco_mesh_compression has made small.
+// Primitives that are compressed with KHR_draco_mesh_compression.
 #include "import/gltf/draco_meshes.hpp"
 
 #include <draco/compression/decode.h>
@@ -12,7 +12,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Of each point of the mesh; none where the attribute is not there or has more numbers than glTF knows.
+/// Returns the values of each point; nothing if the attribute does not exist or has more components than glTF allows.
 Result<GltfValues<float>> values_of(const draco::Mesh& mesh, std::size_t id) {
   const draco::PointAttribute* const attribute =
       id <= 0xFFFFFFFF ? mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id)) : nullptr;

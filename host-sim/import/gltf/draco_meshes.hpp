@@ -1,4 +1,4 @@
-// Primitives that KHR_draco_mesh_compression has made small, decoded by Draco.
+// Primitives that are compressed with KHR_draco_mesh_compression, decoded by Draco.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace zstrip::sim {
 
 inline constexpr const char* kDracoCompression = "KHR_draco_mesh_compression";
 
-/// What accessors would have said.
+/// The data that accessors would otherwise have.
 struct DracoMesh {
   std::map<std::string, GltfValues<float>> attributes;  ///< by name ("POSITION")
   std::vector<std::uint32_t> indices;                   ///< three a triangle

@@ -13,7 +13,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Two of them change highlights alone, which are drawn where they are asked for.
+/// Two of them change only highlights, which are drawn on request.
 constexpr std::array<std::string_view, 12> kRead{"EXT_meshopt_compression",
                                                  "EXT_texture_webp",
                                                  "KHR_draco_mesh_compression",
@@ -27,10 +27,10 @@ constexpr std::array<std::string_view, 12> kRead{"EXT_meshopt_compression",
                                                  "KHR_texture_transform",
                                                  "KHR_xmp_json_ld"};
 
-/// Of glTF 1.0; files that say so have materials besides.
+/// An extension of glTF 1.0; files with it also have materials.
 constexpr std::string_view kTechnique = "KHR_technique_webgl";
 
-/// What is missing in the picture without it.
+/// The features that are missing in the picture without an extension.
 struct Lacking {
   std::string_view extension, what;
 };

@@ -1,4 +1,4 @@
-// Extensions of a glTF file: those that the reader knows, and what the picture lacks of others.
+// Extensions of a glTF file: those that the reader supports, and the missing features of others.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace zstrip::sim {
 
-/// Fails, by name, where the file requires extensions that are not known; the message starts with a verb. Adds one
-/// warning for those that it only uses.
+/// Fails, with the name, if the file requires extensions that are not supported; the message starts with a verb. Adds
+/// one warning for those that the file only uses.
 Result<Done> check_gltf_extensions(const GltfJson& json, std::vector<std::string>& warnings);
 
 }  // namespace zstrip::sim

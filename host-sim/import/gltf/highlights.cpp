@@ -10,15 +10,15 @@
 namespace zstrip::sim {
 namespace {
 
-/// A channel that RGB565 shows.
+/// The least channel that RGB565 can show.
 constexpr std::uint8_t kFaintest = 8;
 
 double share(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 1; }
 
-/// What comes back of light that arrives straight on, of what is no metal.
+/// Returns the reflected share of perpendicular light, for materials other than metal.
 std::array<double, 3> reflected_straight(const GltfJson& material) {
   const double ior = number_in(extension(material, "KHR_materials_ior"), "ior", 1.5);
-  const double amplitude = (ior - 1) / (ior + 1);  // 0 stands for mirrors: all comes back
+  const double amplitude = (ior - 1) / (ior + 1);  // 0 stands for mirrors, which reflect all light
   const GltfJson& specular = extension(material, "KHR_materials_specular");
   const double factor = share(number_in(specular, "specularFactor", 1));
   const auto colour = numbers_in<3>(specular, "specularColorFactor", {1, 1, 1});

@@ -6,13 +6,13 @@
 
 namespace zstrip::sim {
 
-/// What the factors of a material are multiplied with: the means of its texture of both.
+/// The factors for the factors of a material: the means of the texture for both.
 struct GltfRoughness {
   double roughness = 1, metallic = 1;
 };
 
-/// Sets the highlight of a lit material; none where it would be fainter than RGB565 shows. Its peak, of full light, is
-/// that of a normalised Blinn-Phong lobe, less the diffuse light that is drawn although metal has none.
+/// Sets the highlight of a lit material; none if RGB565 could not show it. Its peak, in full light, is that of a
+/// normalised Blinn-Phong lobe, minus the diffuse light that is drawn although metal has none.
 void set_highlight(const GltfJson& material, const GltfRoughness& texture, SourceMaterial& to);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Reads JSON that may be anything.
+// Reads JSON with any contents.
 #include "import/gltf/json.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What lights a glTF file's scene and looks at it.
+// The lights and cameras of a glTF file's scene.
 #include "import/gltf/lights_and_cameras.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// The image of a direction, of length 1; zero where there is none.
+/// Returns the rotated direction, with length 1; zero if there is none.
 Vector turned(const Affine& by, const Vector& direction) {
   Affine linear = by;
   for (auto& row : linear.m) row[3] = 0;

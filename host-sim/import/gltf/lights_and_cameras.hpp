@@ -1,4 +1,4 @@
-// What lights a glTF file's scene (KHR_lights_punctual) and looks at it.
+// The lights (KHR_lights_punctual) and cameras of a glTF file's scene.
 #pragma once
 
 #include "import/gltf/json.hpp"
@@ -7,7 +7,7 @@
 
 namespace zstrip::sim {
 
-/// One of each node that has one.
+/// Adds a light for each node that has one.
 void read_gltf_lights(const GltfJson& json, const GltfNodes& nodes, SourceModel& model);
 void read_gltf_cameras(const GltfJson& json, const GltfNodes& nodes, SourceModel& model);
 

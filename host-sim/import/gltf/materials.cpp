@@ -1,4 +1,4 @@
-// Materials of a glTF file as source materials.
+// Converts materials of a glTF file to source materials.
 #include "import/gltf/materials.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ std::array<std::uint8_t, 3> on_screen(double r, double g, double b) {
   return {to_screen_channel(r, true), to_screen_channel(g, true), to_screen_channel(b, true)};
 }
 
-/// Alpha counts where the mode says so. A cutoff above 1 hides everything, one of 0 nothing.
+/// Alpha has an effect if the mode says so. A cutoff above 1 hides everything, a cutoff of 0 nothing.
 void read_alpha(const GltfJson& from, double alpha, SourceMaterial& to) {
   const std::string mode = text_in(from, "alphaMode");
   if (mode == "BLEND") to.alpha_mode = AlphaMode::blend;
@@ -57,7 +57,7 @@ SourceMaterial GltfMaterials::read(const GltfJson& from, GltfTexcoords& texcoord
   to.name = text_in(from, "name");
   to.lit = !extension(from, "KHR_materials_unlit").is_object();
   to.double_sided = flag_in(from, "doubleSided");
-  // An older way to say the same, of which only the diffuse colour is drawn.
+  // An older extension for the same, of which only the diffuse colour is drawn.
   const GltfJson& diffuse = extension(from, "KHR_materials_pbrSpecularGlossiness");
   const bool is_older = diffuse.is_object();
   const GltfJson& base = is_older ? diffuse : member(from, "pbrMetallicRoughness");

@@ -1,4 +1,4 @@
-// Materials of a glTF file as source materials.
+// Converts materials of a glTF file to source materials.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,20 @@ class GltfMaterials {
   GltfMaterials(const GltfJson& json, GltfTextures& textures, Highlights highlights, SourceModel& model)
       : json_(json), textures_(textures), highlights_(highlights), model_(model) {}
 
-  /// Fills `model.materials`: the file's in order, then that of what has none.
+  /// Sets `model.materials`: the file's in order, then the material of primitives without one.
   void read_all();
-  /// The index into `model.materials` of a primitive's.
+  /// Returns the index into `model.materials` of a primitive's material.
   std::uint32_t material_of(const GltfJson& primitive) const;
-  /// Of this material's texture; of none the first set as it is.
+  /// Returns the map of this material's texture; without a texture the first set, unchanged.
   const GltfTexcoords& texcoords_of(std::uint32_t material) const { return texcoords_[material]; }
 
  private:
   SourceMaterial read(const GltfJson& from, GltfTexcoords& texcoords);
-  /// Sets the emission's colour. Returns its texture, if it has one of its own.
+  /// Sets the emission's colour. Returns its texture, if it has a separate one.
   std::optional<GltfTextureUse> read_emission(const GltfJson& from, const std::optional<GltfTextureUse>& texture,
                                               SourceMaterial& to) const;
   void read_highlight(const GltfJson& from, SourceMaterial& to) const;
-  /// Reads both textures where they can be shown together, else what can be.
+  /// Reads both textures if they can be shown together, else the one that can.
   GltfTexcoords read_textures(const std::optional<GltfTextureUse>& texture, std::optional<GltfTextureUse> emission,
                               SourceMaterial& to);
 

@@ -1,4 +1,4 @@
-// Views that EXT_meshopt_compression has made small.
+// Views that are compressed with EXT_meshopt_compression.
 #include "import/gltf/meshopt_views.hpp"
 
 #include <meshoptimizer.h>
@@ -10,7 +10,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// More bytes than any model needs that is not refused for its triangles: a small file must not ask for gigabytes.
+/// More bytes than any model with an accepted number of triangles needs: a small file must not request gigabytes.
 constexpr std::size_t kMaxDecodedBytes = std::size_t{1} << 31;
 
 }  // namespace
@@ -23,7 +23,7 @@ Result<std::vector<std::uint8_t>> decode_meshopt(const GltfJson& compression, st
     return gltf_damaged("a compressed view has a size out of range");
   }
   std::vector<std::uint8_t> decoded(count * stride);
-  // What the decoders take for granted.
+  // The decoders require this.
   const bool vertices = mode == "ATTRIBUTES" && stride % 4 == 0;
   const bool indices = stride == 2 || stride == 4;
   int status = -1;

@@ -1,4 +1,4 @@
-// Views that EXT_meshopt_compression has made small, decoded by meshoptimizer.
+// Views that are compressed with EXT_meshopt_compression, decoded by meshoptimizer.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace zstrip::sim {
 
 inline constexpr const char* kMeshoptCompression = "EXT_meshopt_compression";
 
-/// `compression`: the extension of the view, which says what `bytes` are. The failure's message is a reason.
+/// `compression`: the extension of the view, which describes `bytes`. The failure's message is a reason.
 Result<std::vector<std::uint8_t>> decode_meshopt(const GltfJson& compression, std::span<const std::uint8_t> bytes);
 
 }  // namespace zstrip::sim

@@ -10,11 +10,11 @@
 namespace zstrip::sim {
 namespace {
 
-/// More would take minutes to look at, each at thousands of times.
+/// With more moving nodes, sampling thousands of times would take minutes.
 constexpr std::size_t kMaxMoved = 4096;
 constexpr std::uint32_t kDeepestMoved = 64;
 
-/// Empty where it has a matrix.
+/// Returns nothing if the node has a matrix.
 std::optional<Placement> parts_of_node(const GltfJson& node) {
   if (member(node, "matrix").is_array()) return {};
   Placement placement{.translation = numbers_in<3>(node, "translation", {0, 0, 0}),
@@ -61,7 +61,7 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
       read.nodes_[i].children.push_back(*child);
     }
   }
-  // Without scenes all roots are shown; without a default the first scene.
+  // Without scenes all roots are shown; without a default scene the first one.
   if (count_of(json, "scenes") > 0) {
     const GltfJson& scene = element(member(json, "scenes"), index_in(json, "scene").value_or(0));
     const GltfJson& roots = member(scene, "nodes");
@@ -74,7 +74,7 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
       read.roots_.push_back(*root);
       read.nodes_[*root].parent.reset();
     }
-    // A node that the scene lists is a root there, even if exporters left it under a node outside of the scene.
+    // A node that the scene lists is a root there, even if an exporter left it below a node outside of the scene.
     for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
       std::erase_if(read.nodes_[i].children, [&](std::size_t child) { return read.nodes_[child].parent != i; });
     }
@@ -83,7 +83,7 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
       if (!read.nodes_[i].parent) read.roots_.push_back(i);
     }
   }
-  // Joints may hang outside of the scene: these have places, too. Nodes in a circle are under no root.
+  // Joints may be outside of the scene: they have positions, too. Nodes in a circle are under no root.
   std::vector<bool> seen(read.nodes_.size());
   const auto walk = [&](std::size_t root, bool in_scene) {
     std::vector<std::size_t> open{root};
@@ -95,7 +95,7 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
       Place& place = read.nodes_[at];
       place.world = (place.parent ? read.nodes_[*place.parent].world : turn) * place.local;
       if (in_scene) read.in_scene_.push_back(at);
-      // In reverse, so that children come off the stack in the file's order.
+      // In reverse, so that children are removed from the stack in the file's order.
       open.insert(open.end(), place.children.rbegin(), place.children.rend());
     }
   };
@@ -110,7 +110,7 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
 }
 
 void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn, SourceModel& model) {
-  /// What is known of a node before it is looked at.
+  /// The data of a node before it is visited.
   struct Open {
     std::size_t node;
     std::int32_t mover;
@@ -129,7 +129,7 @@ void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn
     open.pop_back();
     Place& place = nodes_[at.node];
     if (moved.contains(at.node)) {
-      // Vertices are kept where they are at rest: that must have a way back.
+      // Vertices are stored in the pose at rest, whose map must have an inverse.
       if (!(std::abs(determinant(at.before * place.local)) > 1e-12)) return give_up("a node has no size at rest");
       if (model.nodes.nodes.size() >= kMaxMoved || ++at.depth > kDeepestMoved) return give_up("too many nodes move");
       const auto index = static_cast<std::int32_t>(model.nodes.nodes.size());

@@ -1,4 +1,4 @@
-// The nodes of a glTF file: which of them are in its scene, where they are, and which of them animations move.
+// The nodes of a glTF file: nodes in its scene, their positions, and nodes that animations move.
 #pragma once
 
 #include <array>
@@ -18,19 +18,20 @@ namespace zstrip::sim {
 
 class GltfNodes {
  public:
-  /// `turn` comes after all nodes. Fails where nodes are no trees; the message is a reason.
+  /// `turn` is applied after all nodes. Fails if nodes do not form trees; the message is a reason.
   static Result<GltfNodes> read(const GltfJson& json, const Affine& turn);
 
-  /// Those of the scene, parents before children, in the file's order.
+  /// Returns the nodes of the scene, parents before children, in the file's order.
   const std::vector<std::size_t>& in_scene() const { return in_scene_; }
   std::size_t size() const { return nodes_.size(); }
-  /// From the node to the file's coordinates, at rest.
+  /// Returns the map from the node to the file's coordinates, at rest.
   const Affine& world(std::size_t node) const { return nodes_[node].world; }
-  /// The node of SourceModel::nodes that moves what hangs on it: itself, or its nearest ancestor that is one.
+  /// Returns the index into SourceModel::nodes of the node that moves its contents: itself, or its nearest moving
+  /// ancestor.
   std::int32_t mover_of(std::size_t node) const { return nodes_[node].mover; }
 
-  /// Fills `model.nodes.nodes` with these of the file's, which animations move. Warns and moves nothing where they
-  /// cannot be.
+  /// Sets `model.nodes.nodes` to these nodes of the file, which animations move. If that is impossible, warns and moves
+  /// no node.
   void set_moved(const std::set<std::size_t>& moved, const Affine& turn, SourceModel& model);
 
  private:
@@ -47,7 +48,7 @@ class GltfNodes {
   std::vector<std::size_t> in_scene_;
 };
 
-/// Of a matrix of 16 numbers, column by column.
+/// Returns the map of a matrix of 16 numbers, column by column.
 Affine affine_of_columns(const std::array<double, 16>& columns);
 
 }  // namespace zstrip::sim

@@ -18,10 +18,10 @@
 namespace zstrip::sim {
 namespace {
 
-/// How indices make triangles.
+/// The interpretation of indices.
 enum class Mode : std::size_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
 
-/// Three a triangle, all wound as the first one.
+/// Returns three indices for each triangle, all with the winding of the first one.
 std::vector<std::uint32_t> as_triangles(const std::vector<std::uint32_t>& from, Mode mode) {
   std::vector<std::uint32_t> triangles;
   if (mode == Mode::triangles) {
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> as_triangles(const std::vector<std::uint32_t>& from, 
   return triangles;
 }
 
-/// Of normals: the inverse transposed; as it is where there is none.
+/// Returns the map of normals: the inverse transposed; `of_positions` itself if it has no inverse.
 Affine map_of_normals(const Affine& of_positions) {
   if (determinant(of_positions) == 0) return of_positions;
   const Affine back = inverse(of_positions);
@@ -52,12 +52,12 @@ Affine map_of_normals(const Affine& of_positions) {
   return map;
 }
 
-/// Adding zero turns -0 into 0, so that equal vertices are equal bytes.
+/// Adding zero changes -0 to 0, so that equal vertices are equal bytes.
 std::array<float, 3> as_floats(const Vector& v) {
   return {static_cast<float>(v[0]) + 0.0F, static_cast<float>(v[1]) + 0.0F, static_cast<float>(v[2]) + 0.0F};
 }
 
-/// Of length 1; zero where there is no direction.
+/// Returns a normal of length 1; zero if there is no direction.
 std::array<float, 3> turned_normal(const Affine& map, const float* normal) {
   Affine linear = map;
   for (auto& row : linear.m) row[3] = 0;
@@ -67,7 +67,7 @@ std::array<float, 3> turned_normal(const Affine& map, const float* normal) {
   return as_floats({v[0] / length, v[1] / length, v[2] / length});
 }
 
-/// Two a line, twice the same for a point.
+/// Returns two indices for each line, twice the same for a point.
 std::vector<std::uint32_t> as_segments(const std::vector<std::uint32_t>& from, Mode mode) {
   std::vector<std::uint32_t> segments;
   if (mode == Mode::lines) {
@@ -174,7 +174,7 @@ Result<Done> GltfPrimitives::add_morphs(const GltfJson& mesh, const GltfJson& pr
   return Done{};
 }
 
-/// The alpha that all vertices have is the material's.
+/// An alpha that is common to all vertices becomes the material's.
 void GltfPrimitives::set_alpha(const GltfValues<float>& colours, SourcePrimitive& to) {
   if (colours.components != 4 || model_.materials[to.material].alpha_mode == AlphaMode::opaque) return;
   const std::uint8_t alpha = to_screen_channel(double{colours.at(0)[3]}, false);
@@ -194,7 +194,8 @@ void GltfPrimitives::set_alpha(const GltfValues<float>& colours, SourcePrimitive
   to.material = at->second;
 }
 
-/// Exporters often write BLEND for what is opaque. Blended triangles write no depth, so that inner faces would be seen.
+/// Exporters often write BLEND for opaque materials. Blended triangles write no depth, so that inner faces would be
+/// visible.
 void GltfPrimitives::set_opaque(SourcePrimitive& to) {
   const SourceMaterial& shown = model_.materials[to.material];
   const bool textured = to.has_texcoords && shown.texture != kNoSourceTexture;

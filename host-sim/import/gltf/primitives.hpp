@@ -24,16 +24,16 @@ class GltfPrimitives {
   GltfPrimitives(const GltfJson& json, GltfBuffers& buffers, GltfAccessors& accessors, const GltfNodes& nodes,
                  const GltfMaterials& materials, Texcoords texcoords, SourceModel& model);
 
-  /// All of the scene's nodes. The failure's message starts with a verb.
+  /// Reads all of the scene's nodes. The failure's message starts with a verb.
   Result<Done> read_all();
 
  private:
-  /// The numbers of a primitive's vertices, as the file has them.
+  /// The numbers of a primitive's vertices, as in the file.
   struct Vertices {
     GltfValues<float> positions, normals, colours, texcoords;
   };
 
-  /// Empty: nothing to draw. The failure's message is a reason, as those below.
+  /// Empty: nothing to draw. The failure's message is a reason, as for the functions below.
   void set_alpha(const GltfValues<float>& colours, SourcePrimitive& to);
   void set_opaque(SourcePrimitive& to);
   Result<SourcePrimitive> read_primitive(const GltfJson& mesh, const GltfJson& primitive, std::size_t node);
@@ -51,7 +51,8 @@ class GltfPrimitives {
   MeshGroups groups_;
   /// Materials with the alpha of vertices, by the file's material and that alpha.
   std::map<std::pair<std::uint32_t, std::uint8_t>, std::uint32_t> with_alpha_;
-  std::map<std::uint32_t, std::uint32_t> opaque_;  ///< by materials that blend and have nothing transparent
+  std::map<std::uint32_t, std::uint32_t> opaque_;  ///< opaque copies of materials that blend but have no transparent
+                                                   ///< texel
   bool animations_morph_ = false;
   std::uint64_t no_texcoords_ = 0;  ///< primitives whose texture has no texture coordinates
 };

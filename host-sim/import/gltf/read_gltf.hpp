@@ -1,4 +1,4 @@
-// Reads a glTF 2.0 file: bytes, and a function that finds what the file names. Knows of no files itself.
+// Reads a glTF 2.0 file from bytes, with a function that finds the files that it names. Does not access files itself.
 #pragma once
 
 #include "import/gltf/document.hpp"
@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// `turn` comes after all nodes. What read_model promises of a model. The failure's message starts with a verb.
+/// `turn` is applied after all nodes. Has the same result as read_model. The failure's message starts with a verb.
 Result<SourceModel> read_gltf(const GltfDocument& document, const ReadUri& read_uri, const Affine& turn,
                               Texcoords texcoords, Highlights highlights = Highlights::none);
 

@@ -1,4 +1,4 @@
-// Skins of a glTF file as joints: which of them move a vertex, and from where.
+// Converts skins of a glTF file to joints: the joints that move a vertex, and the vertex's position.
 #include "import/gltf/skins.hpp"
 
 #include <fmt/format.h>
@@ -143,7 +143,7 @@ SkinnedVertex GltfSkins::strongest(const std::vector<Influence>& influences, con
   }
   double sum = 0;
   for (const auto& [weight, joint] : sorted) sum += weight;
-  // 256 in all; what rounding leaves over is the first one's, which counts one more than it says.
+  // The sum is 256; the rest of the rounding goes to the first weight, which counts one more than its value.
   SkinnedVertex vertex;
   int left = 256;
   for (std::size_t k = 1; k < sorted.size(); ++k) {
@@ -168,7 +168,7 @@ Result<SkinnedPrimitive> GltfSkins::read(const GltfAttributes& primitive, std::s
   auto influences = read_influences(primitive, vertices, binds->nodes.size());
   if (!influences) return influences.failure();
   const auto to_file = [&](std::size_t bind) { return nodes_.world(binds->nodes[bind]) * binds->inverse_binds[bind]; };
-  // What makes a vertex vanish or has no way back moves nothing.
+  // Joints whose matrix makes a vertex vanish or has no inverse move nothing.
   std::vector<bool> usable(own);
   for (std::size_t i = 0; i < own; ++i) usable[i] = has_inverse(to_file(i));
   for (std::vector<Influence>& each : *influences) {

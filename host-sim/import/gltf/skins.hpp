@@ -1,4 +1,4 @@
-// Skins of a glTF file as joints: which of them move a vertex, and from where.
+// Converts skins of a glTF file to joints: the joints that move a vertex, and the vertex's position.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace zstrip::sim {
 
-/// As SourceVertex has them.
+/// As in SourceVertex.
 struct SkinnedVertex {
   std::array<std::uint8_t, 4> joints{}, weights{};
 };
 
-/// What becomes of a primitive's vertices.
+/// The conversion of a primitive's vertices.
 struct SkinnedPrimitive {
-  Affine modelled;                      ///< from the mesh's coordinates to where vertices are kept
-  std::vector<SkinnedVertex> joints{};  ///< one a vertex, where joints move it; else empty
-  std::vector<Affine> at_rest{};        ///< one a vertex, instead of `modelled`, where a skin stands still
+  Affine modelled;                      ///< from the mesh's coordinates to those in which vertices are stored
+  std::vector<SkinnedVertex> joints{};  ///< one for each vertex if joints move it; else empty
+  std::vector<Affine> at_rest{};        ///< one for each vertex if the skin does not move; replaces `modelled`
 };
 
 class GltfSkins {
@@ -31,20 +31,20 @@ class GltfSkins {
   GltfSkins(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes, SourceModel& model)
       : json_(json), accessors_(accessors), nodes_(nodes), model_(model) {}
 
-  /// Of a primitive of `vertices` on this node. Adds to the model's joints. What has no skin stays where its node is.
-  /// The failure's message is a reason.
+  /// Converts a primitive of `vertices` vertices on this node. Adds to the model's joints. A primitive without a skin
+  /// moves with its node. The failure's message is a reason.
   Result<SkinnedPrimitive> read(const GltfAttributes& primitive, std::size_t vertices, std::size_t node);
 
-  /// Adds warnings for what has been left out.
+  /// Adds warnings for data that was left out.
   void warn() const;
 
  private:
-  /// A vertex' joint by its place in Binds.
+  /// A joint of a vertex, by its index in Binds.
   struct Influence {
     std::size_t bind;
     double weight;
   };
-  /// A skin's joints, and behind them the node of its mesh, for what no joint moves.
+  /// A skin's joints, followed by the node of its mesh, for vertices without a joint.
   struct Binds {
     std::vector<std::size_t> nodes;
     std::vector<Affine> inverse_binds;
@@ -61,10 +61,10 @@ class GltfSkins {
   GltfAccessors& accessors_;
   const GltfNodes& nodes_;
   SourceModel& model_;
-  std::uint64_t unweighted_ = 0;  ///< vertices with a weight that is negative or no number
+  std::uint64_t unweighted_ = 0;  ///< vertices with a weight that is negative or not a number
   std::uint64_t weightless_ = 0;  ///< vertices whose weights are all zero
-  std::uint64_t unmoved_ = 0;     ///< vertices of a joint whose matrix has no way back
-  std::uint64_t weakened_ = 0;    ///< vertices that more than four joints move
+  std::uint64_t unmoved_ = 0;     ///< vertices of a joint whose matrix has no inverse
+  std::uint64_t weakened_ = 0;    ///< vertices with more than four joints
   std::uint64_t still_ = 0;       ///< meshes that need too many joints
 };
 

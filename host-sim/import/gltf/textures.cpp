@@ -14,10 +14,10 @@
 namespace zstrip::sim {
 namespace {
 
-/// A larger offset loses texels where coordinates become floats. What repeats looks the same two textures on.
+/// With a larger offset, coordinates in floats lose texels. Repeating textures look the same with another whole offset.
 constexpr double kFarOffset = 16;
 constexpr std::size_t kClampToEdge = 33071, kMirroredRepeat = 33648;
-/// Formats that are not read; a texture that has nothing else is left out by name.
+/// Formats that are not supported; a texture with no other format is left out, and the warning names its format.
 constexpr std::array kOtherPictures{"KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"};
 
 TextureWrap wrap_of(const GltfJson& sampler, const char* key) {
@@ -28,7 +28,7 @@ TextureWrap wrap_of(const GltfJson& sampler, const char* key) {
   }
 }
 
-/// Scaled, then turned (counter-clockwise where v grows downwards), then moved.
+/// Returns the map that scales, then rotates (counter-clockwise with v downwards), then translates.
 GltfTexcoords texcoords_of(const GltfJson& use) {
   GltfTexcoords texcoords;
   texcoords.set = index_in(use, "texCoord").value_or(0);
@@ -128,7 +128,7 @@ std::array<double, 3> GltfTextures::mean_of(std::size_t texture) {
 }
 
 std::uint32_t GltfTextures::read(std::size_t texture) {
-  // Those without an image are told apart by themselves.
+  // Textures without an image are identified by their own index.
   const std::optional<std::size_t> source = image_of(element(member(document_.json, "textures"), texture));
   const std::pair key(source.has_value(), source.value_or(texture));
   const auto known = known_.find(key);

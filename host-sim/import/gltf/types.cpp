@@ -1,4 +1,4 @@
-// The types of what a glTF file says: those of the members that the reader looks at, object by object.
+// The types of a glTF file's members: those that the reader uses, object by object.
 #include "import/gltf/types.hpp"
 
 #include <fmt/format.h>
@@ -161,7 +161,7 @@ bool is_map(const GltfJson& json) {
   return true;
 }
 
-/// But for what is inside of objects.
+/// Checks the type, except inside objects.
 bool fits(const GltfJson& json, const Field& field) {
   switch (field.type) {
     case Type::whole: return is_whole(json);
@@ -178,7 +178,7 @@ bool fits(const GltfJson& json, const Field& field) {
   return false;
 }
 
-/// As deep as the tables above. Returns the place of the first member that does not fit; else nothing.
+/// Checks as deep as the tables above. Returns the place of the first member with a wrong type, or an empty text.
 std::string misfit_in(const GltfJson& object, std::span<const Field> fields) {
   for (const Field& field : fields) {
     const auto at = object.find(field.key);

@@ -1,4 +1,4 @@
-// The types of what a glTF file says: a number where text belongs is damage, not the default.
+// The types of a glTF file's members: a number in place of text is an error, and does not become the default.
 #pragma once
 
 #include "import/gltf/json.hpp"
@@ -6,7 +6,7 @@
 
 namespace zstrip::sim {
 
-/// Fails where a member that the reader looks at is not of its type. The failure's message is a reason that names it.
+/// Fails if a member that the reader uses has a wrong type. The failure's message is a reason that names it.
 Result<Done> check_gltf_types(const GltfJson& json);
 
 }  // namespace zstrip::sim
