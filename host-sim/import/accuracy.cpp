@@ -1,4 +1,4 @@
-// What became of a model's numbers in fixed point, measured against the file's.
+// Measures the error of a model's numbers in fixed point against the file's numbers.
 #include "import/accuracy.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Degrees between two directions; exact also for tiny angles. 0 if one of them is none.
+/// Returns degrees between two directions; also exact for tiny angles. 0 if one of them is zero.
 double angle_between(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   const std::array<double, 3> cross{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   const double dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -1,4 +1,4 @@
-// What became of a model's numbers in fixed point, measured against the file's: each function raises the worst so far.
+// Measures the error of a model's numbers in fixed point against the file's numbers. Each function keeps the maximum.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace zstrip::sim {
 
-/// Positions and normals of `fixed`, whose vertices are those of `source`, in the same order.
+/// Compares positions and normals of `fixed` with those of `source`, in the same order.
 void note_vertices(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, const Units& units,
                    const Vec3& centre, const Vec3& half_extent);
 
-/// Texture coordinates with so many fraction bits, in texels of `texture`.
+/// Compares texture coordinates with so many fraction bits, in texels of `texture`.
 void note_texcoords(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, int bits,
                     const RgbImage& texture);
 
-/// RGB565 texels of a picture.
+/// Compares the RGB565 texels of a picture.
 void note_texels(Accuracy& worst, const RgbImage& image, std::span<const std::uint16_t> texels);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Keeps a crash or an endless loop inside a file parser from looking like a crash of zstrip.
+// Reports a crash or an endless loop inside a file parser as an error of the file.
 #include "import/crash_guard.hpp"
 
 #include <sys/time.h>
@@ -17,18 +17,18 @@ constexpr std::size_t kStackBytes = 64 * 1024;
 // AddressSanitizer maps terabytes.
 constexpr bool kLimitsMemory = !kAddressSanitizer;
 
-// What the handler may read: set before the handler is, never changed while it can run.
+// The line that the handler may read: set before the handler is, and not changed while the handler can run.
 std::string_view crash_line;
 std::string_view time_line;
 
 extern "C" void end_with_message(int signal) {
   const std::string_view line = signal == SIGPROF ? time_line : crash_line;
-  // Only async-signal-safe calls; a failed write leaves nothing better to do than to end.
+  // Only async-signal-safe calls; after a failed write the process can only end.
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
   ::_exit(static_cast<int>(ExitStatus::input));
 }
 
-/// SIGPROF after this much processor time of the process; 0: never.
+/// Requests SIGPROF after this much processor time of the process; 0: never.
 void set_clock(std::chrono::seconds limit) {
   itimerval timer{};
   timer.it_value.tv_sec = limit.count();

@@ -16,12 +16,12 @@
 namespace zstrip::sim {
 namespace {
 
-/// A triangle's side, as it runs around the triangle.
+/// A triangle's side, in the direction around the triangle.
 struct Side {
   std::uint16_t a, b, third;
   std::uint32_t triangle;
-  std::uint64_t low, high;  ///< its two places in an order
-  bool forwards;            ///< from the lower to the higher
+  std::uint64_t low, high;  ///< its two places, in an order
+  bool forwards;            ///< the direction is from `low` to `high`
 };
 
 class EdgeFinder {
@@ -31,7 +31,7 @@ class EdgeFinder {
   std::vector<Edge> find() const {
     std::vector<Side> sides = all_sides();
     std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.triangle); });
-    // With the triangle to which a, b and left belong, so that the order of the meshlets can be restored.
+    // Each edge is stored with the triangle of a, b and left, so that the order of the meshlets can be restored.
     std::vector<std::pair<std::uint32_t, Edge>> found;
     const auto add = [&found](const Side& side, std::uint16_t right) {
       found.emplace_back(side.triangle, Edge{side.a, side.b, side.third, right});
@@ -41,7 +41,7 @@ class EdgeFinder {
       const Side& side = sides[first];
       if (end - first == 2 && side.forwards != sides[first + 1].forwards) {
         const Side& other = sides[first + 1];
-        // The direction encodes whether it is a crease.
+        // The direction of an edge says if it is a crease.
         Edge edge{side.a, side.b, side.third, other.third};
         if ((edge.a > edge.b) != is_crease(side, other)) edge = {edge.b, edge.a, edge.right, edge.left};
         found.emplace_back(side.triangle, edge);
@@ -75,7 +75,7 @@ class EdgeFinder {
     return sides;
   }
 
-  /// Of length 1; none of a triangle without an area.
+  /// Returns a normal of length 1; nothing for a triangle without an area.
   std::optional<Vector> normal(std::uint32_t triangle) const {
     const Triangle& t = mesh_.triangles[triangle];
     const auto side = [&](std::uint16_t from, std::uint16_t to) {

@@ -7,19 +7,19 @@
 
 namespace zstrip::sim {
 
-/// One for each two places that a triangle's side joins, whatever vertices lie there, with both faces; sides that more
-/// than two faces or two in the same direction share are edges of one face each. Creases where normals or colours of
-/// the two faces differ at an end, or, if `flat`, where they are not in one plane. In the order of the meshlets.
-/// Triangles without an area in the mesh's grid have none.
+/// Finds one edge for each two places that a triangle's side joins, for any vertices at these places, with both faces.
+/// A side with more than two faces, or with two faces in the same direction, becomes edges with one face each. An edge
+/// is a crease if normals or colours of the two faces differ at an end, or, if `flat`, if the faces are not in one
+/// plane. The edges are in the order of the meshlets. Triangles without an area in the mesh's grid have no edges.
 std::vector<Edge> find_edges(const Mesh& mesh, bool flat);
 
-/// For Scene::edges; what `sets` view is in `lists`.
+/// For Scene::edges; `sets` refers to `lists`.
 struct SceneEdges {
   std::vector<std::vector<Edge>> lists;
   std::vector<EdgeSet> sets;
 };
 
-/// Those of all meshes that instances have. A mesh is flat if any of its instances is.
+/// Finds the edges of all meshes that instances have. A mesh is flat if any of its instances is.
 SceneEdges find_edges(const Scene& scene);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Emission with a texture of its own.
+// Materials with a separate texture for emission.
 #include "import/emission.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<std::uint8_t, 3> kNoLight{}, kAllLight{255, 255, 255};
 
-/// The base colour, times `base` where there is one, and the emission's texels times its colour.
+/// Returns the base colour, times `base` if there is one, plus the emission's texels times its colour.
 RgbImage sum_of(const SourceMaterial& material, const RgbImage* base, const RgbImage& emission) {
   const auto side = [](std::uint32_t a, std::uint32_t b) { return std::min(std::max(a, b), kMaxTextureSide); };
   RgbImage sum{side(emission.width, base == nullptr ? 1 : base->width),

@@ -1,12 +1,12 @@
-// Emission with a texture of its own: the renderer has one texture for light and emission.
+// Materials with a separate texture for emission: the renderer has one texture for light and emission.
 #pragma once
 
 #include "import/source_model.hpp"
 
 namespace zstrip::sim {
 
-/// Where nothing else of a material is seen, its emission's texture becomes its texture. Else it is added to the
-/// texels, and so lit like these, with a warning.
+/// If only a material's emission is visible, its emission's texture becomes its texture. Otherwise the emission is
+/// added to the texels, so that it is lit like them, with a warning.
 void show_emission(SourceModel& model);
 
 }  // namespace zstrip::sim

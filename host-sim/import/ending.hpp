@@ -1,4 +1,4 @@
-// The format that a file's name tells.
+// The format of a file by its name.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// The extension with its dot, in lower case.
+/// Returns the extension with its dot, in lower case.
 inline std::string ending_of(const std::filesystem::path& file) { return lower(file.extension().string()); }
 
 }  // namespace zstrip::sim

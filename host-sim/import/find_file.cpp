@@ -1,4 +1,4 @@
-// Files that a model names: exporters write paths of their own machine.
+// Finds files that a model names: exporters write paths of their own machine.
 #include "import/find_file.hpp"
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace zstrip::sim {
 namespace {
 
-/// `path`, or the file of its folder whose name differs only in upper and lower case: other systems do not tell these
-/// apart. Of several the first in the alphabet, so that every run takes the same.
+/// Returns `path`, or the file of its folder whose name differs only in upper and lower case, because other systems
+/// ignore the case. Of several files the first in the alphabet, so that every run chooses the same.
 std::filesystem::path find_in_any_case(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored)) return path;

@@ -1,4 +1,4 @@
-// Files that a model names: exporters write paths of their own machine.
+// Finds files that a model names: exporters write paths of their own machine.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace zstrip::sim {
 
-/// The file beside the model that `name` means: as it stands, or, for paths of another machine, its last part. Upper
+/// Returns the file next to the model with the name `name`, or, for paths of another machine, with its last part. Upper
 /// and lower case of the last part may differ.
 std::filesystem::path find_file(const std::filesystem::path& folder, std::string name);
 

@@ -1,4 +1,4 @@
-// A file's lights in fixed point.
+// Converts a file's lights to fixed point.
 #include "import/fixed_lights.hpp"
 
 #include <fmt/format.h>
@@ -13,11 +13,11 @@
 namespace zstrip::sim {
 namespace {
 
-/// A light, and where it is in the scene's units.
+/// A light, and its position in the scene's units.
 struct Placed {
   SourceLight light;
   std::array<double, 3> at{};
-  double strength = 0;  ///< of its brightest channel, where it meets the model
+  double strength = 0;  ///< of its brightest channel, at the model
 };
 
 double brightest_channel(const SourceLight& light) {
@@ -45,7 +45,7 @@ Colour colour_of(const SourceLight& light, double full) {
   return {channel(0), channel(1), channel(2), 255};
 }
 
-/// Empty if a number leaves the renderer's range, or nothing is left of the light.
+/// Returns nothing if a number is out of the renderer's range, or if the light becomes 0.
 std::optional<PunctualLight> to_punctual(const Placed& placed, const Units& units, double exposure) {
   const SourceLight& light = placed.light;
   constexpr double kMax = 32767;  // 16.16

@@ -1,4 +1,5 @@
-// A file's lights in fixed point. Files measure light in physical units, or in none: the exposure is found here.
+// Converts a file's lights to fixed point. Files measure light in physical units, or in none, so that this chooses the
+// exposure.
 #pragma once
 
 #include <vector>
@@ -8,9 +9,9 @@
 
 namespace zstrip::sim {
 
-/// Fills `model.lights` and `model.punctual_lights` with the four of each that are brightest where they meet the model,
-/// and adds warnings for those left out. The brightest of all has a channel of full light there: a point or spot light
-/// at the model's middle, or half the model's half size away from the light if that is farther.
+/// Sets `model.lights` and `model.punctual_lights` to the four lights of each kind that are brightest at the model, and
+/// adds warnings for the others. The brightest light has a channel of full light there. For a point or spot light, this
+/// is at the model's middle, or at a distance of half the model's half size from the light if that is farther.
 void set_lights(const std::vector<SourceLight>& lights, const Units& units, Model& model);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// The box that a mesh's positions count in.
+// The box in which a mesh's positions are expressed.
 #include "import/grid.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Grid fit_grid(const SourceModel& source) {
     }
   };
   for (const SourceMesh& mesh : source.meshes) std::ranges::for_each(mesh.vertices, include);
-  // Vertices that no line uses may be anywhere, and not finite.
+  // Vertices that no line uses may have any position, also one that is not finite.
   for (const SourceLines& lines : source.lines) {
     for (const std::uint32_t index : lines.indices) include(lines.vertices[index]);
   }

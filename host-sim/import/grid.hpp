@@ -1,4 +1,4 @@
-// The box that a mesh's positions count in: 16 bits along each axis.
+// The box in which a mesh's positions are expressed: 16 bits along each axis.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// A box, and the way into its steps.
+/// A box, and the conversion to its steps.
 struct Grid {
   Units units;
   Vec3 centre{};       // 16.16
@@ -18,11 +18,11 @@ struct Grid {
   Position position(const std::array<float, 3>& from) const;
 };
 
-/// The common bounding box of the model, of which borders that meshes share stay identical.
+/// Returns the common bounding box of the model, with which common borders of meshes stay identical.
 Grid fit_grid(const SourceModel& source);
-/// Of a mesh that blends: the box of its own vertices, by whose distance the renderer sorts it.
+/// Returns the grid of a mesh that blends: the box of its own vertices, by whose distance the renderer sorts it.
 Grid grid_of_own(const SourceMesh& mesh, const Grid& whole);
-/// Of a mesh with a skin: all poses, with a margin, the same along all axes.
+/// Returns the grid of a mesh with a skin: all poses, with a margin, equal along all axes.
 Grid grid_of_skin(const SourceModel& source, const SourceMesh& mesh, const Grid& whole);
 
 }  // namespace zstrip::sim

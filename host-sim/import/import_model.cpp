@@ -1,4 +1,4 @@
-// The import, step by step: read, textures as the renderer can show them, normals, sides, texture coordinates, weld,
+// The import, step by step: read, convert textures for the renderer, normals, sides, texture coordinates, weld,
 // quantise.
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ namespace zstrip::sim {
 
 namespace {
 
-/// Halves textures until their sides are at most those given, with a warning.
+/// Halves textures until their sides are at most the given ones, with a warning.
 void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides) {
   std::size_t lowered = 0;
   std::string largest_change;
@@ -81,7 +81,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
     weld(mesh);
     if (!mesh.has_texcoords) continue;
     if (material.texture == kNoSourceTexture) {
-      constexpr int kLog2Side = 8;  // of a texture that is not read yet
+      constexpr int kLog2Side = 8;  // of a texture that has not been read yet
       trait.texcoord_bits = fit_texcoords(mesh, kLog2Side, clamped);
       weld(mesh);
       continue;

@@ -1,4 +1,4 @@
-// Lines and points of a model in fixed point.
+// Converts lines and points of a model to fixed point.
 #include "import/lines.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// A set of lines that grows: equal vertices become one.
+/// A growing set of lines, in which equal vertices become one.
 struct Part {
   MeshData vertices;
   std::vector<Segment> segments;
@@ -34,7 +34,7 @@ struct Part {
   }
 };
 
-/// Whether triangles of the material look otherwise than in its plain colour.
+/// True if triangles of the material differ from its plain colour.
 bool is_more_than_plain(const SourceMaterial& material) {
   const bool transparent = material.alpha_mode != AlphaMode::opaque && material.alpha != 255;
   return transparent || material.texture != kNoSourceTexture || material.emissive != std::array<std::uint8_t, 3>{};

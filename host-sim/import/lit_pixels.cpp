@@ -1,4 +1,4 @@
-// Where light at vertices would be wrong: large triangles beside a lamp.
+// Finds materials for which light at vertices would be wrong: large triangles close to a lamp.
 #include "import/lit_pixels.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Lit {
 
 double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// As zstrip/scene.hpp defines PunctualLight, of its brightest channel.
+/// Returns the light that arrives, of the brightest channel, as zstrip/scene.hpp defines PunctualLight.
 double arriving(const PunctualLight& light, const Lit& at) {
   const Vector from{from_fixed(light.position.x), from_fixed(light.position.y), from_fixed(light.position.z)};
   const Vector towards{from[0] - at.place[0], from[1] - at.place[1], from[2] - at.place[2]};
@@ -54,7 +54,7 @@ Lit vertex_of(const Mesh& mesh, std::uint16_t index) {
           {n.x / 127.0, n.y / 127.0, n.z / 127.0}};
 }
 
-/// Between the corners, by their shares.
+/// Interpolates between the corners, with their weights.
 Lit between(const std::array<Lit, 3>& corners, const Vector& shares) {
   Lit at{};
   for (std::size_t k = 0; k < 3; ++k) {

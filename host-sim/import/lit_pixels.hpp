@@ -1,15 +1,16 @@
-// Where light at vertices would be wrong: large triangles beside a lamp.
+// Finds materials for which light at vertices would be wrong: large triangles close to a lamp.
 #pragma once
 
 #include "import/model.hpp"
 
 namespace zstrip::sim {
 
-/// The most that light may be off inside a triangle, of full light, before it is computed at pixels.
+/// Largest error of light inside a triangle, relative to full light; above it light is computed at pixels.
 inline constexpr double kMaxLightError = 16.0 / 255;
 
-/// Smooth materials of meshes whose point and spot lights differ by more than kMaxLightError from what lies between the
-/// vertices become Shading::pixel. Looks at the middle of each triangle and of its edges.
+/// Sets smooth materials to Shading::pixel if the point and spot lights on their meshes differ by more than
+/// kMaxLightError from the interpolation between the vertices. Compares at the middle of each triangle and of its
+/// edges.
 void light_at_pixels(Model& model);
 
 }  // namespace zstrip::sim

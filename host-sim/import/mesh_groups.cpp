@@ -1,4 +1,4 @@
-// Gathers what a reader finds of a file's surfaces into the meshes of a source model.
+// Collects the surfaces of a file, which a reader finds, in the meshes of a source model.
 #include "import/mesh_groups.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ bool has_area(const SourceVertex& a, const SourceVertex& b, const SourceVertex& 
 
 }  // namespace
 
-/// What blends is sorted by instances, so that each stays one.
+/// Blended surfaces are sorted by instance, so that each stays a separate mesh.
 SourceMesh& MeshGroups::mesh_for(const SourcePrimitive& primitive) {
   const bool blends = model_.materials[primitive.material].alpha_mode == AlphaMode::blend;
   const auto apart = static_cast<std::uint32_t>(blends ? model_.meshes.size() + 1 : 0);

@@ -1,4 +1,4 @@
-// Gathers what a reader finds of a file's surfaces into the meshes of a source model.
+// Collects the surfaces of a file, which a reader finds, in the meshes of a source model.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,28 @@
 
 namespace zstrip::sim {
 
-/// Triangles, lines and points of one material as a reader finds them; vertices are where SourceMesh has them.
+/// Triangles, lines and points of one material from a reader; vertices have the coordinates of SourceMesh.
 struct SourcePrimitive {
   std::uint32_t material = 0;   ///< index into SourceModel::materials
-  std::int32_t node = kNoNode;  ///< as SourceMesh::node
+  std::int32_t node = kNoNode;  ///< as in SourceMesh::node
   bool has_colours = false, has_texcoords = false, has_skin = false;
-  bool mirrored = false;            ///< a node turned it inside out: triangles are turned back
-  bool vertex_alpha = false;        ///< of vertex colours differs, and would count
-  bool morphs = false;              ///< an animation would change its shape
-  std::uint64_t bad_texcoords = 0;  ///< vertices whose texture coordinates are not finite, and became 0
+  bool mirrored = false;            ///< a node mirrors it: the winding of triangles is restored
+  bool vertex_alpha = false;        ///< alpha of vertex colours differs, and has an effect
+  bool morphs = false;              ///< an animation changes its shape
+  std::uint64_t bad_texcoords = 0;  ///< vertices whose texture coordinates are not finite, and were set to 0
   std::vector<SourceVertex> vertices;
-  std::vector<std::uint32_t> indices;   ///< three a triangle; any numbers
-  std::vector<std::uint32_t> segments;  ///< two a line, twice the same for a point; any numbers
+  std::vector<std::uint32_t> indices;   ///< three a triangle; may be out of range
+  std::vector<std::uint32_t> segments;  ///< two a line, twice the same for a point; may be out of range
 };
 
 class MeshGroups {
  public:
   explicit MeshGroups(SourceModel& model) : model_(model) {}
 
-  /// Adds to the mesh of its kind what of it can be drawn. Fails beyond kMaxTriangles; the message starts with a verb.
+  /// Adds the parts that can be drawn to the mesh of their kind. Fails above kMaxTriangles; the message starts with a
+  /// verb.
   Result<Done> add(const SourcePrimitive& primitive);
-  /// Fails where nothing can be drawn; else adds warnings for what has been left out.
+  /// Fails if nothing can be drawn; otherwise adds warnings for the parts that were left out.
   Result<Done> finish();
 
  private:
@@ -40,9 +41,9 @@ class MeshGroups {
   void add_segments(const SourcePrimitive& primitive);
 
   SourceModel& model_;
-  /// By material, colours, texture coordinates, node, skin; and a number where meshes must stay apart.
+  /// By material, colours, texture coordinates, node, skin; and a number if meshes must stay separate.
   std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, bool, std::uint32_t>, std::size_t> groups_;
-  /// Of lines: by material, colours, node.
+  /// Groups of lines, by material, colours, node.
   std::map<std::tuple<std::uint32_t, bool, std::int32_t>, std::size_t> line_groups_;
   std::uint64_t vertices_ = 0;
   std::uint64_t triangles_seen_ = 0;

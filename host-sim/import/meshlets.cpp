@@ -1,4 +1,4 @@
-// Cuts a mesh of any size into meshlets, and gathers these into meshes that 16-bit indices can address.
+// Cuts a mesh of any size into meshlets, and collects these in meshes that 16-bit indices can address.
 #include "import/meshlets.hpp"
 
 #include <meshoptimizer.h>

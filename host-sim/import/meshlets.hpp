@@ -1,4 +1,4 @@
-// Cuts a mesh of any size into meshlets, and gathers these into meshes that 16-bit indices can address.
+// Cuts a mesh of any size into meshlets, and collects these in meshes that 16-bit indices can address.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ inline constexpr std::size_t kMeshletVertices = 64;
 inline constexpr std::size_t kMeshletTriangles = 124;
 inline constexpr std::size_t kMaxMeshVertices = 65535;
 
-/// `whole` gives the vertices (its triangles and meshlets are not read), `indices` three for each triangle;
-/// `half_extent` is that of the grid (16.16). The vertices of a meshlet lie together; those on its border are in each
-/// meshlet that uses them. Every triangle comes out once.
+/// `whole` has the vertices (its triangles and meshlets are not read), `indices` three indices for each triangle;
+/// `half_extent` is that of the grid (16.16). The vertices of a meshlet are adjacent; vertices on its border are in
+/// each meshlet that uses them. The result has every triangle once.
 std::vector<MeshData> split_into_meshlets(const MeshData& whole, std::span<const std::uint32_t> indices,
                                           const Vec3& half_extent);
 
-/// Centre and radius of a meshlet with these vertices, in a mesh with this half extent (16.16).
+/// Sets centre and radius of a meshlet with these vertices, in a mesh with this half extent (16.16).
 void set_bounds(Meshlet& meshlet, std::span<const Position> positions, const Vec3& half_extent);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// An imported model: owns all that a Scene only views, in the renderer's fixed-point formats.
+// An imported model: owns all data that a Scene refers to, in the renderer's fixed-point formats.
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@
 
 namespace zstrip::sim {
 
-/// From the file's units (after turning its up axis to +y) to the scene's: scene = (file - origin) * scale.
+/// Converts the file's units (after its upward axis has become +y) to the scene's: scene = (file - origin) * scale.
 struct Units {
   std::array<double, 3> origin{0, 0, 0};
   double scale = 1;
 };
 
-/// The most that becoming fixed point has moved anything away from the file's values.
+/// The largest errors of the conversion from the file's values to fixed point.
 struct Accuracy {
   double size = 0;      ///< longest side of the bounding box, the file's units
   double position = 0;  ///< of a vertex, the file's units
   double normal = 0;    ///< degrees
   double texcoord = 0;  ///< texels
-  double texel = 0;     ///< of a channel, 1 is its whole range
+  double texel = 0;     ///< of a channel; 1 is its whole range
 };
 
 struct MeshData {
@@ -44,21 +44,22 @@ struct MeshData {
 
 /// A mesh of Model::meshes that joints move.
 struct ModelSkin {
-  std::size_t mesh = 0;  ///< index into Model::meshes, where it stands as it is at rest
-  Mesh bind;             ///< as it was modelled
+  std::size_t mesh = 0;  ///< index into Model::meshes, whose mesh is in the pose at rest
+  Mesh bind;             ///< the mesh as it was modelled
   std::span<const VertexJoints> vertices;
 };
 
-/// A joint of Model::joints, of the model's scene units.
+/// A joint of Model::joints, in the model's scene units.
 struct ModelJoint {
   std::size_t parent = kNoSourceJoint;
-  std::int32_t node = kNoNode;  ///< of Model::tree; none: it stays where its parent is
-  double size = 1;              ///< of its coordinates, in the file's: they are as long as the scene's at rest
-  double reach = 0;             ///< the farthest from it that a vertex is which it moves, itself or by other joints
+  std::int32_t node = kNoNode;  ///< index into Model::tree; none: no movement relative to the parent
+  double size = 1;              ///< length in the file of a unit of its coordinates, which at rest is a unit of the
+                                ///< scene
+  double reach = 0;             ///< distance to the farthest vertex that it moves, directly or through other joints
 };
 
-/// All meshes lie in one common bounding box around the origin, whose longest side goes from -1 to 1, so that borders
-/// which meshes share stay identical. Moving it keeps the views valid; it cannot be copied.
+/// All meshes are in one common bounding box around the origin, whose longest side goes from -1 to 1, so that common
+/// borders of meshes stay identical. Moving a Model keeps the views valid; it cannot be copied.
 class Model {
  public:
   Model() = default;
@@ -75,8 +76,8 @@ class Model {
   std::vector<Texture> textures;
   std::vector<Instance> instances;  ///< one for each mesh of triangles, untransformed
   std::vector<LineSet> lines;       ///< untransformed
-  std::vector<std::int32_t> nodes;  ///< of each instance: the one of `tree` that moves it, or kNoNode
-  NodeTree tree;                    ///< of the file, in its units
+  std::vector<std::int32_t> nodes;  ///< for each instance: the node of `tree` that moves it, or kNoNode
+  NodeTree tree;                    ///< the file's nodes, in its units
   std::vector<ModelSkin> skins;
   std::vector<Joint> joints;            ///< of all skins
   std::vector<JointPose> rest;          ///< of each joint
@@ -85,21 +86,21 @@ class Model {
   std::vector<PunctualLight> punctual_lights;
   std::vector<Finish> finishes;
   std::vector<std::string> material_names;  ///< one for each material, from the file; may be empty
-  std::vector<SourceCamera> cameras;        ///< of the file, in its units
+  std::vector<SourceCamera> cameras;        ///< the file's cameras, in its units
   Units units;
   Accuracy accuracy;
   double outlying = 1;                ///< as outlying_of()
-  std::vector<std::string> warnings;  ///< what the picture will lack, one line each
+  std::vector<std::string> warnings;  ///< features that are missing in the picture, one line each
 };
 
-/// How back faces of double-sided materials are lit.
+/// Selects the light of back faces of double-sided materials.
 enum class BackFaces : std::uint8_t {
-  lit_alike,  ///< as front faces: they are meshes of their own
-  as_front,   ///< by the normals of the front; what is drawn with other materials stays one mesh
+  lit_alike,  ///< like front faces: they are separate meshes
+  as_front,   ///< by the normals of the front; meshes with other materials need not be divided
 };
 
-/// Reads, repairs and quantises a model file. `up`: the axis that points upwards; empty: as the format says. The
-/// failure's message is whole: it names the file.
+/// Reads, repairs and quantises a model file. `up`: the axis that points upwards; empty: the format's axis. The
+/// failure's message is complete: it names the file.
 Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up = {},
                            Texcoords texcoords = Texcoords::of_textures, BackFaces back_faces = BackFaces::lit_alike,
                            Highlights highlights = Highlights::none);

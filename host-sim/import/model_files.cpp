@@ -1,4 +1,4 @@
-// Puts right what Assimp 5.2 reads wrongly, before it reads.
+// Corrects input that Assimp 5.2 reads wrong, before Assimp reads it.
 #include "import/model_files.hpp"
 
 #include <assimp/MemoryIOWrapper.h>
@@ -43,7 +43,7 @@ void append(std::string& to, char32_t c) {
   }
 }
 
-/// Lines that begin with something else than a number are names of groups.
+/// Removes names of groups, which are the lines that do not begin with a number.
 std::string without_groups(std::string_view raw) {
   std::string text;
   while (!raw.empty()) {
@@ -57,7 +57,7 @@ std::string without_groups(std::string_view raw) {
   return text;
 }
 
-/// Bytes of a binary format may begin with the mark by chance.
+/// True if the text begins with the UTF-8 mark; binary formats may begin with the same bytes by chance.
 bool has_mark_of_utf8(std::string_view bytes) {
   return bytes.starts_with(kMarkOfUtf8) && bytes.find('\0') == std::string_view::npos;
 }

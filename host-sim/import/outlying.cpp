@@ -1,4 +1,4 @@
-// How far what lies apart stretches a model.
+// Measures how far distant parts extend the size of a model.
 #include "import/outlying.hpp"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
-// How far what lies apart stretches a model.
+// Measures how far distant parts extend the size of a model.
 #pragma once
 
 #include "import/source_model.hpp"
 
 namespace zstrip::sim {
 
-/// How many times as long the model is as the box around the middle half of its corners, along each axis on its own. 2
-/// or less of most models; 1 where there is no such box.
+/// Returns the ratio of the model's length to that of the box around the middle half of its corners, for each axis
+/// separately. 2 or less for most models; 1 if there is no such box.
 double outlying_of(const SourceModel& model);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// The one place where floating point becomes the renderer's fixed point.
+// The only place where floating point becomes the renderer's fixed point.
 #include "import/quantise.hpp"
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ bool is_textured(const SourceMesh& mesh, const SourceMaterial& material) {
   return mesh.has_texcoords && material.texture != kNoSourceTexture;
 }
 
-/// Of the source's textures those whose alpha something is masked or blended with.
+/// Returns true for the source's textures whose alpha a material masks or blends with.
 std::vector<bool> find_used_alpha(const SourceModel& source) {
   std::vector<bool> used(source.textures.size());
   for (const SourceMesh& mesh : source.meshes) {
@@ -69,7 +69,7 @@ std::vector<bool> find_used_alpha(const SourceModel& source) {
   return used;
 }
 
-/// Gives the material what few have, if the file's has any of it. False if the table is full.
+/// Sets the material's finish if the file's material needs one. Returns false if the table is full.
 bool set_finish(const SourceMaterial& from, Material& to, std::vector<Finish>& finishes) {
   Finish finish{.emissive = {from.emissive[0], from.emissive[1], from.emissive[2], 255}, .alpha_mode = from.alpha_mode};
   if (from.specular != std::array<std::uint8_t, 3>{}) {

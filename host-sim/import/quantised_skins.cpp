@@ -1,4 +1,4 @@
-// Skins in fixed point: the box that holds a mesh in every pose, the joints, and the mesh as it is at rest.
+// Converts skins to fixed point: the box that holds a mesh in every pose, the joints, and the mesh at rest.
 #include "import/quantised_skins.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ void for_each_corner(const SourceBox& box, const Visit& visit) {
   }
 }
 
-/// In the joints' coordinates, of those of this mesh that have vertices; others are empty.
+/// Returns boxes in the joints' coordinates, for the joints that have vertices of this mesh; other boxes are empty.
 std::vector<SourceBox> boxes_of_joints(const SourceModel& source, const SourceMesh& mesh) {
   std::vector<SourceBox> boxes(source.joints.size(), {kLowest, kHighest});
   for (const SourceVertex& vertex : mesh.vertices) {
@@ -51,7 +51,7 @@ std::vector<SourceBox> boxes_of_joints(const SourceModel& source, const SourceMe
 
 bool is_empty(const SourceBox& box) { return box.low[0] > box.high[0]; }
 
-/// Of all joints, to the file's coordinates.
+/// Returns the maps from all joints to the file's coordinates.
 std::vector<Affine> places_of(const SourceModel& source, const NodeAnimation* animation, double seconds) {
   std::vector<Affine> places;
   for (const SourceJoint& joint : source.joints) {
@@ -63,7 +63,7 @@ std::vector<Affine> places_of(const SourceModel& source, const NodeAnimation* an
 
 std::int16_t to_15_bits(double value) { return static_cast<std::int16_t>(std::lround(32767 * value)); }
 
-/// False if it is out of range.
+/// Returns false if the pose is out of range.
 bool to_joint_pose(const Affine& local, JointPose& pose) {
   const Placement placement = to_placement(local);
   const auto within = [](const Vector& v, double limit) {
@@ -88,9 +88,9 @@ bool to_transform(const Affine& from, Transform& to) {
   return true;
 }
 
-/// Whether some joint turns or changes its size between two poses by so much that the way between is not near both.
+/// True if a joint rotates or scales so much between two poses that the poses between may not be close to either.
 bool are_far_apart(const std::vector<Affine>& from, const std::vector<Affine>& to) {
-  constexpr double kFar = 0.35;  // a turn by 20 degrees
+  constexpr double kFar = 0.35;  // a rotation by 20 degrees
   for (std::size_t i = 0; i < from.size(); ++i) {
     for (std::size_t column = 0; column < 3; ++column) {
       double square = 0, change = 0;
@@ -131,7 +131,7 @@ SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
     std::vector<Affine> last;
     for (const double seconds : times) {
       std::vector<Affine> places = include_pose(&animation, seconds);
-      constexpr int kSteps = 16;  // of half a turn at most, from one key to the next
+      constexpr int kSteps = 16;  // from one key to the next, which are at most 180 degrees apart
       if (!last.empty() && are_far_apart(last, places)) {
         for (int i = 1; i < kSteps; ++i) include_pose(&animation, before + (seconds - before) * i / kSteps);
       }
@@ -160,7 +160,7 @@ Result<Done> set_joints(const SourceModel& source, Model& model) {
   const auto out_of_range = [] {
     return Failure{ExitStatus::input, "has joints that are too far away, or too large or small beside what they move"};
   };
-  // An armature's own scale, often a hundredth, would leave few bits of a matrix.
+  // An armature's own scale, often 1/100, would leave few significant bits in a matrix.
   const std::vector<Affine> at_rest = places_of(source, nullptr, 0);
   for (std::size_t i = 0; i < source.joints.size(); ++i) {
     const double size = std::cbrt(std::abs(determinant(at_rest[i])));
@@ -171,7 +171,7 @@ Result<Done> set_joints(const SourceModel& source, Model& model) {
     JointPose pose;
     if (!to_joint_pose(local_of(model, i, nullptr, 0), pose)) return out_of_range();
     model.rest.push_back(pose);
-    // Both sides in scene units: the scale stays outside, the origin comes back first.
+    // Both sides in scene units: the scale is not included, and the origin is added first.
     Affine bind = from.inverse_bind;
     const Vector moved =
         from.inverse_bind * Vector{model.units.origin[0], model.units.origin[1], model.units.origin[2]};
@@ -185,7 +185,7 @@ Result<Done> set_joints(const SourceModel& source, Model& model) {
     if (from.has_vertices && !to_transform(bind, joint.inverse_bind)) return out_of_range();
     model.joints.push_back(joint);
   }
-  // How far each reaches, at rest: own vertices, and those that its children move.
+  // The reach of each joint at rest: its own vertices, and those that its children move.
   for (const SourceMesh& mesh : source.meshes) {
     if (!mesh.has_skin) continue;
     const std::vector<SourceBox> boxes = boxes_of_joints(source, mesh);

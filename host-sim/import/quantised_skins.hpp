@@ -1,4 +1,4 @@
-// Skins in fixed point: the box that holds a mesh in every pose, the joints, and the mesh as it is at rest.
+// Converts skins to fixed point: the box that holds a mesh in every pose, the joints, and the mesh at rest.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,21 @@
 
 namespace zstrip::sim {
 
-/// The file's units.
+/// A box in the file's units.
 struct SourceBox {
   std::array<double, 3> low{}, high{};
 };
 
-/// All of a mesh with a skin, as it was modelled, at rest, and at many times of every animation; boxes of what each
-/// joint moves are moved with it, so that nothing between leaves it but by what a joint does within 1/60 s.
+/// Returns the box of a mesh with a skin: as it was modelled, at rest, and at many times of every animation. The box of
+/// each joint's vertices is moved with the joint, so that a pose between these times can leave the box only by the
+/// joint's motion within 1/60 s.
 SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh);
 
-/// From a joint to its parent, or to the scene; `animation`: null at rest. In scene units.
+/// Returns the map from a joint to its parent, or to the scene; `animation`: null at rest. In scene units.
 Affine local_of(const Model& model, std::size_t joint, const NodeAnimation* animation, double seconds);
 
-/// Fills the model's joints, and writes its meshes with skins as they are at rest. `model.skins`, its tree and units
-/// are there. The failure's message starts with a verb.
+/// Sets the model's joints, and writes its meshes with skins in the pose at rest. `model.skins`, tree and units must be
+/// set. The failure's message starts with a verb.
 Result<Done> set_joints(const SourceModel& source, Model& model);
 
 }  // namespace zstrip::sim

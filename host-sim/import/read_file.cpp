@@ -1,4 +1,4 @@
-// Reads whole input files; only regular ones, so that a name like /dev/zero or a FIFO never blocks.
+// Reads complete input files; only regular files, so that a name like /dev/zero or a FIFO never blocks.
 #include "import/read_file.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// What Git keeps in place of a large file.
+/// First bytes of the pointer that Git LFS stores in place of a large file.
 constexpr std::string_view kPointer = "version https://git-lfs.github.com/spec/";
 
 }  // namespace
@@ -44,7 +44,7 @@ Result<Done> check_readable(const std::filesystem::path& path) {
 Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path, std::size_t limit) {
   const Result<Done> readable = check_readable(path);
   if (!readable) return readable.failure();
-  // Not by stream iterators: their buffer throws where the system reports an error.
+  // No stream iterators: their buffer throws if the system reports an error.
   std::ifstream file(path, std::ios::binary);
   std::vector<std::uint8_t> bytes;
   constexpr std::size_t kBlock = 65536;

@@ -1,4 +1,4 @@
-// Reads whole input files; only regular ones, so that a name like /dev/zero or a FIFO never blocks.
+// Reads complete input files; only regular files, so that a name like /dev/zero or a FIFO never blocks.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace zstrip::sim {
 
-/// "; download it first: curl -LO ..." where `name` is an address of the web; else empty.
+/// Returns "; download it first: curl -LO ..." if `name` is a web address; else empty.
 std::string advice_on_address(const std::string& name);
 
-/// Whether `path` names a regular file that can be opened for reading, and is no pointer of Git LFS.
-/// The failure's message continues "'path' ..." ("does not exist", "is a folder", ...).
+/// Checks that `path` is a regular file that can be opened for reading, and not a pointer of Git LFS. The failure's
+/// message continues "'path' ..." ("does not exist", "is a folder", ...).
 Result<Done> check_readable(const std::filesystem::path& path);
 
-/// Of any file that is read whole; some kinds have a lower limit.
+/// Limit for all files that are read completely; some kinds have a lower limit.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 
 /// `limit`: whole megabytes. A larger file is refused ("has more than 16 MB") and not read to its end.

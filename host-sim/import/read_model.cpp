@@ -1,4 +1,4 @@
-// Reads a model file: glTF 2.0 by a reader made for it, all others by Assimp.
+// Reads a model file: glTF 2.0 with its own reader, all other formats with Assimp.
 #include "import/read_model.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// By its name, or by its first bytes as those of avatars (.vrm).
+/// True for names of glTF files, and for avatars (.vrm) by their first bytes.
 bool is_gltf(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
   std::array<char, 4> begin{};
@@ -41,14 +41,14 @@ bool is_archive(const std::filesystem::path& path) {
   return std::ranges::find(kEndings, ending_of(path)) != std::end(kEndings);
 }
 
-/// Finds buffers and pictures beside the file.
+/// Returns a function that finds buffers and pictures next to the file.
 ReadUri reader_beside(const std::filesystem::path& folder) {
   return [folder](const std::string& uri) -> Result<std::vector<std::uint8_t>> {
     return read_file(find_file(folder, without_escapes(uri)));
   };
 }
 
-/// Files of glTF 1.0, which is another format, are left to Assimp.
+/// Reads any format. Files of glTF 1.0, which is another format, are read by Assimp.
 Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                              Highlights highlights, CrashGuard& guard) {
   const auto parsed = [&guard] { guard.lift_limits(); };

@@ -1,4 +1,4 @@
-// From a file's channels of colours to those of the screen.
+// Converts a file's colour channels to the screen's.
 #include "import/screen_channel.hpp"
 
 #include <algorithm>

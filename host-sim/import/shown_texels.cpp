@@ -1,4 +1,4 @@
-// What the renderer leaves out of unlit textured materials.
+// Applies colours that the renderer ignores for unlit textured materials.
 #include "import/shown_texels.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ bool has_one_colour(const SourceMesh& mesh) {
   });
 }
 
-/// Index of a texture whose texels are those of `texture` times a colour.
+/// Returns the index of a texture whose texels are those of `texture` times a colour.
 class Multiplied {
  public:
   explicit Multiplied(SourceModel& model) : model_(model) {}

@@ -1,12 +1,12 @@
-// What the renderer leaves out of unlit textured materials: their colour, and the vertices', times the texels.
+// Applies colours that the renderer ignores for unlit textured materials: the material's and the vertices' colours.
 #pragma once
 
 #include "import/source_model.hpp"
 
 namespace zstrip::sim {
 
-/// Multiplies an unlit material's colour, and vertex colours that are all the same, into texels of its own; where
-/// vertex colours differ, the material becomes a lit one that only emits, which is multiplied with both.
+/// Multiplies an unlit material's colour, and vertex colours that are all equal, into a copy of its texels. If vertex
+/// colours differ, the material becomes a lit one that only emits, which is multiplied by both.
 void multiply_unlit_texels(SourceModel& model);
 
 }  // namespace zstrip::sim

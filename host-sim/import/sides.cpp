@@ -1,4 +1,4 @@
-// Surfaces that are seen from both sides.
+// Surfaces that can be seen from both sides.
 #include "import/sides.hpp"
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// What only emits looks the same from everywhere.
+/// False for materials that only emit: they have the same colour from all sides.
 bool is_shaded(const SourceMaterial& material) {
   return material.lit && material.colour != std::array<std::uint8_t, 3>{};
 }
@@ -43,7 +43,7 @@ void split_sides(SourceModel& model, std::vector<Outside>& outsides) {
         model.materials.push_back(std::move(one));
       }
       mesh.material = at->second;
-      // Of what blends the back first: it lies behind.
+      // For blended surfaces the back is first, because it is behind.
       meshes.push_back(back_of(mesh));
       seen.push_back({});
     }

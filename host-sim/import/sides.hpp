@@ -1,4 +1,4 @@
-// Surfaces that are seen from both sides: the renderer lights a vertex once, whichever side of it is seen.
+// Surfaces that can be seen from both sides: the renderer lights a vertex once, for either side.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace zstrip::sim {
 
-/// What a file says nothing of is double-sided where its openings are at least this share of its area: sheets and
-/// bowls. Back faces of a house without a floor are hardly seen, and not worth twice the triangles.
+/// If a file does not say it, a surface is double-sided if its openings are at least this share of its area: sheets and
+/// bowls. Back faces of a house without a floor are hardly visible, and not worth twice the triangles.
 inline constexpr double kMinOpening = 1.0 / 3;
 
-/// Gives lit meshes that are double-sided a second mesh for their back faces, with normals that face the other way, and
-/// makes both single-sided. Not those whose back faces are out of sight: opaque closed bodies. `outsides`: of each
-/// mesh; gets an entry for each new one.
+/// Gives lit double-sided meshes a second mesh for their back faces, with normals in the other direction, and makes
+/// both single-sided. Excludes meshes whose back faces are not visible: opaque closed bodies. `outsides`: one for each
+/// mesh; gets an entry for each new mesh.
 void split_sides(SourceModel& model, std::vector<Outside>& outsides);
 
 }  // namespace zstrip::sim

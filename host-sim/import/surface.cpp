@@ -1,4 +1,4 @@
-// What a model's surface is as a whole, across meshes: which corners meet, where it is closed, which normals it lacks.
+// Properties of a model's surface across meshes: corners that meet, closed parts, missing normals.
 #include "import/surface.hpp"
 
 #include <meshoptimizer.h>
@@ -24,7 +24,7 @@ Vector cross(const Vector& a, const Vector& b) {
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-/// Scaled by the largest component first: squares of tiny edges would vanish.
+/// Scales by the largest component first: squares of tiny edges would become 0.
 Vector unit(const Vector& v) {
   const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (!(largest > 0)) return {};
@@ -34,10 +34,10 @@ Vector unit(const Vector& v) {
 }
 bool is_zero(const std::array<float, 3>& v) { return v == std::array<float, 3>{}; }
 
-/// The corners of all triangles of all meshes, in order, as numbers of positions: equal positions, equal numbers.
+/// The corners of all triangles of all meshes, in order, as numbers of positions. Equal positions have equal numbers.
 struct Corners {
   std::vector<std::uint32_t> position;  ///< three a triangle
-  std::uint32_t positions = 0;          ///< how many different ones
+  std::uint32_t positions = 0;          ///< number of different positions
 };
 
 Corners join_positions(const SourceModel& model) {
@@ -66,9 +66,9 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// For each position, the corners that lie on it.
+/// The corners at each position.
 struct Fans {
-  std::vector<std::uint32_t> first;  ///< into `corner`; one more than there are positions
+  std::vector<std::uint32_t> first;  ///< index into `corner`; one more entry than positions
   std::vector<std::uint32_t> corner;
 };
 
@@ -84,10 +84,10 @@ Fans collect_fans(const Corners& corners) {
   return fans;
 }
 
-/// Above this many faces at one point, creases there are ignored: the comparison is each with each.
+/// With more faces at one point, creases there are ignored, because each face is compared with each other face.
 constexpr std::size_t kMaxCreasedFan = 256;
 
-/// Zero where the faces cancel out. Without creases the same for all corners of the fan.
+/// Returns zero if the faces cancel each other. Without creases the normal is the same for all corners of the fan.
 Vector smooth_normal(std::uint32_t corner, std::span<const std::uint32_t> fan, const std::vector<Vector>& face_normals,
                      const std::vector<double>& angles) {
   static const double least_cosine = std::cos(kCreaseAngle * std::numbers::pi / 180);
@@ -178,9 +178,9 @@ std::vector<Outside> find_outsides(const SourceModel& model) {
   };
   std::vector<Edge> edges;
   edges.reserve(corners.position.size());
-  std::vector<Vector> place(corners.positions);   // from one vertex of the model
+  std::vector<Vector> place(corners.positions);   // relative to one vertex of the model
   std::vector<double> volume(corners.positions);  // six times the signed volume of a body
-  std::vector<double> area(corners.positions);    // twice that of a body
+  std::vector<double> area(corners.positions);    // twice the area of a body
   std::size_t t = 0;
   const std::array<float, 3> origin = model.meshes[0].vertices[model.meshes[0].indices[0]].position;
   for (const SourceMesh& mesh : model.meshes) {
@@ -200,7 +200,7 @@ std::vector<Outside> find_outsides(const SourceModel& model) {
   std::sort(edges.begin(), edges.end(),
             [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   std::vector<bool> is_open(corners.positions);  // by body
-  std::vector<Edge> rims;                        // used more often in one direction, by `direction`
+  std::vector<Edge> rims;                        // edges with more uses in one direction; `direction` is the difference
   for (std::size_t i = 0; i < edges.size();) {
     int balance = 0;
     const Edge& edge = edges[i];
@@ -211,7 +211,8 @@ std::vector<Outside> find_outsides(const SourceModel& model) {
     rims.push_back({edge.low, edge.high, balance});
   }
 
-  // An opening is what a rim encloses: half the sum of a x b along it. Rims of two ends of a tube count both.
+  // The area of an opening is half the sum of a x b along its rim. The rims at both ends of a tube count as two
+  // openings.
   Sets openings(corners.positions);
   for (const Edge& edge : rims) openings.join(edge.low, edge.high);
   std::map<std::uint32_t, Vector> enclosed;
@@ -220,7 +221,7 @@ std::vector<Outside> find_outsides(const SourceModel& model) {
     const Vector across = cross(place[edge.low], place[edge.high]);
     for (std::size_t k = 0; k < 3; ++k) sum[k] += edge.direction * across[k];
   }
-  std::vector<double> opening(corners.positions);  // twice that of all openings of a body
+  std::vector<double> opening(corners.positions);  // twice the area of all openings of a body
   for (const auto& [rim, sum] : enclosed) opening[bodies.of(rim)] += length(sum);
 
   std::vector<Outside> outsides;

@@ -9,7 +9,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Subtracts from each axis the whole number nearest to the middle of its range, so that the picture is the same.
+/// Subtracts, on each axis, the integer nearest to the middle of its range, which does not change the picture.
 void centre(std::span<SourceVertex> vertices) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto [low, high] = std::minmax_element(
@@ -55,7 +55,7 @@ int fit_texcoords(SourceMesh& mesh, int log2_side, std::uint64_t& clamped) {
 
 TextureSides longest_sides(const SourceMesh& mesh, int bits) {
   const auto longest = [&](std::size_t axis) {
-    double largest = 0;  // as it will be rounded
+    double largest = 0;  // after rounding
     for (const SourceVertex& vertex : mesh.vertices) {
       largest = std::max(largest, std::round(std::ldexp(std::abs(double{vertex.texcoord[axis]}), bits)));
     }

@@ -10,14 +10,14 @@ namespace zstrip::sim {
 inline constexpr int kMaxTexcoordBits = 15;
 inline constexpr int kMinTexcoordBits = 4;
 
-/// Moves the coordinates of `mesh` by whole textures towards zero and returns how many fraction bits then fit, 4..15.
-/// Where the whole mesh leaves less than a quarter of a texel (`log2_side`: of the texture's longer side), each
-/// triangle is moved on its own; such a mesh comes out with three vertices of its own a triangle.
-/// `clamped` counts the vertices of triangles so large that even 4 bits do not fit.
+/// Moves the coordinates of `mesh` by whole textures towards zero and returns the number of fraction bits that then
+/// fit, 4..15. If the whole mesh leaves a resolution of less than a quarter of a texel (`log2_side`: of the texture's
+/// longer side), each triangle is moved separately; such a mesh then has three separate vertices for each triangle.
+/// `clamped` counts the vertices of triangles that are so large that even 4 bits do not fit.
 int fit_texcoords(SourceMesh& mesh, int log2_side, std::uint64_t& clamped);
 
-/// The longest sides, as powers of two, that a texture may have with these coordinates and fraction bits: the renderer
-/// counts texels in 16 bits and a sign, so that no coordinate may reach 32768 of them.
+/// The longest sides, as powers of two, of a texture with these coordinates and fraction bits: the renderer counts
+/// texels in 16 bits and a sign, so that no coordinate may reach 32768 texels.
 struct TextureSides {
   int log2_width = 15;
   int log2_height = 15;

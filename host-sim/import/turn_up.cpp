@@ -1,4 +1,4 @@
-// The rotation that turns an axis of a model upwards.
+// The rotation that makes an axis of a model point upwards.
 #include "import/turn_up.hpp"
 
 namespace zstrip::sim {

@@ -1,4 +1,4 @@
-// The rotation that turns an axis of a model upwards.
+// The rotation that makes an axis of a model point upwards.
 #pragma once
 
 #include "import/source_model.hpp"
@@ -6,7 +6,7 @@
 
 namespace zstrip::sim {
 
-/// Turns the axis to +y, by right angles.
+/// Returns the rotation of the axis to +y, by right angles.
 Affine turn_up(UpAxis up);
 
 }  // namespace zstrip::sim

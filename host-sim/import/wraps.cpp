@@ -19,10 +19,10 @@
 namespace zstrip::sim {
 namespace {
 
-/// Of the texture; 1 itself is the first texel again. Fits in 15 bits.
+/// The last coordinate of the texture; 1 itself is the first texel again. Fits in 15 bits.
 constexpr float kLastPlace = 1 - 1.0F / 16384;
 
-/// Of a coordinate of a mesh.
+/// The range of a coordinate of a mesh.
 struct Range {
   float low = std::numeric_limits<float>::infinity();
   float high = -std::numeric_limits<float>::infinity();
@@ -47,7 +47,7 @@ void change_coordinates(const std::vector<SourceMesh*>& meshes, std::size_t axis
   }
 }
 
-/// No larger than it will be drawn.
+/// Reduces the picture to the size in which it will be drawn.
 RgbImage reduced(RgbImage image) {
   while (image.width > kMaxTextureSide || image.height > kMaxTextureSide) {
     image = halve(image, image.width > kMaxTextureSide, image.height > kMaxTextureSide);
@@ -55,7 +55,7 @@ RgbImage reduced(RgbImage image) {
   return image;
 }
 
-/// The picture, and beside or below it its mirror image.
+/// Returns the picture with its mirror image next to or below it.
 RgbImage doubled(const RgbImage& from, std::size_t axis) {
   RgbImage to{axis == 0 ? 2 * from.width : from.width, axis == 0 ? from.height : 2 * from.height, {}};
   const auto mirrored = [](std::uint32_t at, std::uint32_t side) { return at < side ? at : 2 * side - 1 - at; };
@@ -71,7 +71,8 @@ RgbImage doubled(const RgbImage& from, std::size_t axis) {
   return to;
 }
 
-/// From the tile `first` on, so many tiles wide, with the border's texels outside of the picture.
+/// Returns a picture that begins at the tile `first` and is so many tiles wide, with the border's texels outside of the
+/// original picture.
 RgbImage padded(const RgbImage& from, std::size_t axis, int first, int tiles) {
   RgbImage to{from.width, from.height, {}};
   std::uint32_t& side = axis == 0 ? to.width : to.height;
@@ -91,7 +92,7 @@ RgbImage padded(const RgbImage& from, std::size_t axis, int first, int tiles) {
   return to;
 }
 
-/// Whether each triangle lies inside of the texture, or as a whole beyond one border.
+/// True if each triangle lies inside the texture, or completely beyond one border.
 bool is_clamped_by_vertices(const std::vector<SourceMesh*>& meshes, std::size_t axis, float tolerance) {
   for (const SourceMesh* mesh : meshes) {
     for (std::size_t i = 0; i + 2 < mesh->indices.size(); i += 3) {
@@ -157,7 +158,7 @@ class Wraps {
     change_coordinates(meshes, axis, [](float value) { return value / 2; });
   }
 
-  /// A texture, the axis along which it is changed, and how: the first tile and how many; 0: it is doubled.
+  /// A texture, the axis along which it is changed, and the change: the first tile and the number of tiles; 0: doubled.
   using Key = std::tuple<std::uint32_t, std::size_t, int, int>;
 
   template <class Make>
