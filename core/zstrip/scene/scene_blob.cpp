@@ -150,7 +150,7 @@ class Reader {
   [[gnu::noinline]] Found take(Tag tag, std::uint32_t record_bytes) {
     while (next_ != end_ && next_->tag() < tag) {
       (void)step();
-      // A second section with a known tag does not come here as a new one: step() reports that tags do not ascend.
+      // A second section with the same tag comes here, too, but step() has already reported that it does not ascend.
       if (blob_layout::must_be_known(last_)) fail({.error = Error::blob_section, .needed = last_});
     }
     if (next_ == end_ || next_->tag() != tag) return {nullptr, 0};

@@ -6,7 +6,7 @@
 
 namespace zstrip::sim {
 
-/// The factors for the factors of a material: the means of the texture for both.
+/// The means of a material's texture, by which its two factors are multiplied.
 struct GltfRoughness {
   double roughness = 1, metallic = 1;
 };
