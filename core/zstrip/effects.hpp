@@ -15,15 +15,15 @@ namespace zstrip {
 struct Effects {
   std::uint64_t bits = 0;     ///< namespace effect
   std::uint32_t methods = 0;  ///< namespace method: how visibility is found; none is the z-buffer
-  /// Whether all of `other` are in it.
+  /// True if the set has all of `other`.
   constexpr bool has(Effects other) const { return (*this & other) == other; }
-  /// Whether at least one of `other` is in it.
+  /// True if the set has at least one of `other`.
   constexpr bool any(Effects other) const { return (*this & other) != Effects{}; }
-  /// Those of either.
+  /// The union.
   friend constexpr Effects operator|(Effects a, Effects b) { return {a.bits | b.bits, a.methods | b.methods}; }
-  /// Those of both.
+  /// The intersection.
   friend constexpr Effects operator&(Effects a, Effects b) { return {a.bits & b.bits, a.methods & b.methods}; }
-  /// Those of `a` that are not in `b`.
+  /// The difference: `a` without the effects of `b`.
   friend constexpr Effects without(Effects a, Effects b) { return {a.bits & ~b.bits, a.methods & ~b.methods}; }
   friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
@@ -58,7 +58,7 @@ inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at ev
 /// All of these.
 inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
 
-// Of light and of fragments. Each needs nothing of the others.
+// Effects of light and of fragments. None needs another.
 inline constexpr Effects fog{std::uint64_t{1} << 13};              ///< Scene::fog
 inline constexpr Effects emissive{std::uint64_t{1} << 14};         ///< Finish::emissive
 inline constexpr Effects specular{std::uint64_t{1} << 15};         ///< Finish::specular
@@ -98,10 +98,10 @@ inline constexpr Effects unclipped{std::uint64_t{1} << 52};
 
 inline constexpr Effects skins{std::uint64_t{1} << 53};  ///< Mesh::skinning
 
-/// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
+/// The effects of fragments: fill_fragments draws an instance that has one of them.
 inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours |
                                      texture_palettes | mipmaps | pixel_shading;
-/// Those that light vertices by where they are.
+/// The effects that light a vertex by its place.
 inline constexpr Effects local_light = specular | punctual_lights;
 /// All that light has beyond ambient and directional light.
 inline constexpr Effects vertex_light = local_light | emissive;
@@ -148,7 +148,7 @@ constexpr DepthFormat depth_format(Effects effects) {
   return DepthFormat::z16;
 }
 
-/// What selects a format; nothing for z16.
+/// Returns the effect that selects a format; none for z16.
 constexpr Effects depth_effect(DepthFormat format) {
   switch (format) {
     case DepthFormat::float16: return effect::depth_float;
@@ -165,7 +165,7 @@ constexpr std::int32_t perspective_run(Effects effects) {
   return effects.has(effect::perspective_1) ? 1 : 16;
 }
 
-/// Whether this material needs effect::depth_state.
+/// True if this material needs effect::depth_state.
 constexpr bool has_depth_state(const Material& material) {
   return material.depth_test != DepthTest::nearer || !material.depth_write || material.depth_bias != 0 ||
          material.depth_slope_bias != 0;
@@ -176,22 +176,22 @@ constexpr Finish finish_of(const Scene& scene, const Material& material) {
   return material.finish < scene.finishes.size() ? scene.finishes[material.finish] : Finish{};
 }
 
-/// Whether what has this material is drawn after everything that does not.
+/// True if this material blends: its instances are drawn after all others.
 constexpr bool is_blended(const Scene& scene, const Material& material) {
   return finish_of(scene, material).alpha_mode == AlphaMode::blend;
 }
 
-/// Whether the texture of what has this mesh and this material is an environment map.
+/// True if an instance with this mesh and material has an environment map as its texture.
 constexpr bool has_environment_map(const Scene& scene, const Mesh& mesh, const Material& material) {
   return is_environment(finish_of(scene, material).filter) && material.texture != kNoTexture && !mesh.normals.empty();
 }
 
-/// Whether what has this mesh and this material is lit at its pixels, not at its vertices.
+/// True if an instance with this mesh and material is lit at its pixels, not at its vertices.
 constexpr bool is_lit_by_pixel(const Mesh& mesh, const Material& material) {
   return material.smooth == Shading::pixel && material.lit && !mesh.normals.empty();
 }
 
-/// Whether it adds nothing; alpha means nothing.
+/// True if the colour adds no light; ignores alpha.
 constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
 
 /// The shade of an instance that is not drawn fragment by fragment.
@@ -204,13 +204,13 @@ constexpr Effects shade_effect(bool textured, bool lit, bool varies) {
 /// The effects but for effect::shades.
 constexpr Effects without_shades(Effects effects) { return without(effects, effect::shades); }
 
-/// What a renderer with `effects` lacks of those that are called for.
+/// Returns the effects of `called_for` that a renderer with `effects` does not have.
 constexpr Effects missing_effects(Effects called_for, Effects effects) {
   const Effects missing = without(called_for, effects);
   return effects.any(effect::shades) ? missing : without_shades(missing);
 }
 
-/// What an instance's light and fragments call for, beyond the effects of materials without finish.
+/// Returns the effects that an instance's light and fragments need, in addition to those of a material without finish.
 constexpr Effects effects_of_finish(const Scene& scene, const Material& material, bool lit, bool textured) {
   Effects found{};
   if (lit && !scene.punctual_lights.empty()) found = found | effect::punctual_lights;
@@ -234,7 +234,7 @@ constexpr Effects effects_of_finish(const Scene& scene, const Material& material
   return found;
 }
 
-/// What the picture needs beside what its scene does. constexpr.
+/// Returns the effects that a picture needs in addition to those of its scene. constexpr.
 constexpr Effects effects_of(const View& view) {
   const Effects samples = view.samples == 1 ? Effects{} : effect::supersampled;
   if (dithers_colours(view)) return samples | effect::dithered_colours;

@@ -10,11 +10,11 @@
 
 namespace zstrip {
 
-/// From now on AnyRenderer draws by methods; without it, it refuses them with Error::visibility. Of the library
-/// zstrip::methods. To be called once, before the first renderer is made, by one thread.
+/// Lets AnyRenderer draw by methods, which it refuses with Error::visibility before this call. Needs the library
+/// zstrip::methods. Call it once, before the first renderer is made, from one thread.
 void use_visibility_methods();
-/// As use_visibility_methods for method::culling alone: for programs that only count how often pixels are drawn. The
-/// last of both calls holds.
+/// Lets AnyRenderer draw with method::culling alone, for programs that only count how often pixels are drawn. It
+/// replaces what use_visibility_methods has set, and the reverse.
 void use_overdraw_counts();
 
 }  // namespace zstrip

@@ -1,4 +1,4 @@
-// What does not go together: the rules from which all checks and messages are made.
+// Effects and methods that exclude each other: all checks and messages follow from these rules.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ constexpr bool one_of_each(Effects effects) {
 
 }  // namespace detail
 
-/// Whether these effects go together, whatever the method.
+/// True if these effects go together, with any method.
 constexpr bool effects_agree(Effects effects) {
   effects.methods = 0;
   return !effects.any(detail::excluded_by(effects)) && detail::one_of_each<kAlternatives>(effects);
@@ -59,7 +59,7 @@ constexpr Effects refused_by_methods(Effects effects) {
   return {effects.bits & detail::excluded_by({0, effects.methods}).bits, 0};
 }
 
-/// Whether the methods go together, and can draw these effects, of which none is unknown.
+/// True if the methods go together and can draw all these effects. False for an unknown effect.
 constexpr bool methods_agree(Effects effects) {
   if (effects.methods == 0) return true;
   constexpr Effects kKnown = effect::of_scenes | effect::shades | effect::statistics | effect::bins |

@@ -22,10 +22,10 @@ class DepthBounds {
   /// depth_bounds_bytes(area.width(), area.height()).
   void begin(std::byte* memory, const Rect& area, const std::uint16_t* cells);
 
-  /// Whether every cell of `box` (raster pixels inside the area, not empty) holds a code that is not smaller than
+  /// True if every cell of `box` (raster pixels inside the area, not empty) holds a code that is not smaller than
   /// `nearest`: nothing there can be seen.
   bool hides(const Rect& box, std::uint32_t nearest, VisibilityStatistics* counts);
-  /// Whether every cell of `box` holds a code smaller than `farthest`: all there is seen.
+  /// True if every cell of `box` holds a code smaller than `farthest`: all there is seen.
   bool lies_behind(const Rect& box, std::uint32_t farthest, VisibilityStatistics* counts) const;
   /// Fragments with codes up to `nearest` may be drawn into `box`.
   void cover(const Rect& box, std::uint32_t nearest);

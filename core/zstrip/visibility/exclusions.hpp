@@ -1,4 +1,4 @@
-// What visibility methods do not go together with.
+// The effects that a visibility method cannot draw, and the methods that exclude each other.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
@@ -27,7 +27,7 @@ struct Described : AnyEffect {
   };
 };
 
-/// Sets of which a renderer has at most one.
+/// A renderer has at most one method of each set.
 inline constexpr Effects kAlternatives[] = {
     method::painter | method::bounded | method::splitting,
     method::sorted,
@@ -36,7 +36,7 @@ inline constexpr Effects kAlternatives[] = {
 
 inline constexpr Effects kAll = method::any;
 
-/// The painter alone has orders.
+/// True if orders come with the painter: only it has any.
 constexpr bool has_what_it_needs(Effects effects) {
   return effects.has(method::painter) || !effects.any(method::orders);
 }

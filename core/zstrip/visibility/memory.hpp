@@ -1,4 +1,4 @@
-// What the visibility methods take of the arena: sorted triangles, and bounds of the depth in tiles.
+// The memory of visibility methods in the arena: sorted triangles, and bounds of the depth in tiles.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ inline constexpr std::uint32_t kSortedTriangleBytes = 16;  // its place in the o
 inline constexpr std::uint32_t kDepthTileBytes = 6;  // nearest and farthest code of 8x8 cells, and what is pending
 inline constexpr std::uint32_t kDepthNodeBytes = 2;  // farthest code of 2x2 tiles or nodes
 inline constexpr std::uint32_t kDepthTileShift = 3;
-/// What triangles and meshlets are named by where they are sorted.
+/// The greatest index of a triangle, meshlet or instance that can be sorted.
 inline constexpr std::uint32_t kMaxSortedIndex = 0xFFFF;
 
 namespace detail {
@@ -40,7 +40,7 @@ constexpr std::uint64_t visibility_bytes(Effects effects, std::uint32_t triangle
   return bytes;
 }
 
-/// What these bytes are called in errors and reports.
+/// Names these bytes in errors and reports.
 constexpr Purpose visibility_purpose(Effects effects) {
   return sorts_triangles(effects) ? Purpose::sorting : Purpose::depth_bounds;
 }

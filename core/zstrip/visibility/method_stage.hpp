@@ -1,5 +1,5 @@
-// What visibility methods add to the stages; the templates are in visibility_stages.hpp, which renderers with a method
-// include.
+// Declares the steps that visibility methods add to the stages. stages.hpp defines them: zstrip/visibility.hpp includes
+// it for renderers with a method.
 #pragma once
 
 #include <cstddef>

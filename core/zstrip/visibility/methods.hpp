@@ -19,7 +19,7 @@ inline constexpr Effects front_to_back{0, 1U << 1};
 inline constexpr Effects hierarchical_z{0, 1U << 2};
 /// Triangles are split at their centroids, and drawn or rejected by samples: wrong pixels are part of it.
 inline constexpr Effects midpoint{0, 1U << 3};
-/// Likewise, but samples are confirmed by bounds of tiles, or pixels are tested: the z-buffer's pixels. Takes
+/// Splits as midpoint does, but confirms samples by bounds of tiles, or tests pixels: the z-buffer's pixels. Takes
 /// Purpose::depth_bounds.
 inline constexpr Effects midpoint_safe{0, 1U << 4};
 /// With the painter: triangles in the scene's own order, which the caller has sorted. Takes no memory.
@@ -38,7 +38,7 @@ inline constexpr Effects any{0, own.methods | culling.methods};      ///< all
 }  // namespace method
 // NOLINTEND(readability-identifier-naming)
 
-/// Whether a frame begins with a list of its triangles in order, in Purpose::sorting.
+/// True if a frame begins with a list of its triangles in order, in Purpose::sorting.
 constexpr bool sorts_triangles(Effects effects) {
   return effects.any(method::sorted) && !effects.has(method::in_order);
 }

@@ -1,4 +1,4 @@
-// What an application sets of a visibility method, and what the method counts.
+// The options of visibility methods, and the figures that they count.
 #pragma once
 
 #include <cstdint>

@@ -61,8 +61,8 @@ namespace zstrip::detail {
     frame.state.bounds.begin(frame.depth_bounds, target.area, target.depth);
 }
 
-/// Whether the options leave out a meshlet of the whole frame: not in the visible set, or its sphere not in the
-/// picture.
+/// True if the options leave out a meshlet in the whole frame: it is not in the visible set, or its sphere is not in
+/// the picture.
 template <Effects effects>
 bool MethodStage::is_left_out(FrameState& base, std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
   auto& frame = static_cast<MethodFrameState&>(base);
@@ -80,7 +80,7 @@ bool MethodStage::is_left_out(FrameState& base, std::uint32_t number, std::uint3
       .box.empty();
 }
 
-/// Whether the bounds of the strip's depth hide a meshlet, or an instance where it is null.
+/// True if the bounds of the strip's depth hide a meshlet; the whole instance if `meshlet` is null.
 template <Effects effects>
 bool MethodStage::is_hidden(MethodFrameState& frame, const StripTarget& target, std::uint32_t instance,
                             const Meshlet* meshlet) {

@@ -1,4 +1,4 @@
-// What a method changes in the stages and pixel loops that all renderers have: they ask here, and name no method.
+// Tells stages and pixel loops, which all renderers have, what a method changes; they name no method themselves.
 #pragma once
 
 #include "zstrip/visibility/methods.hpp"

@@ -1,6 +1,5 @@
-// Potentially visible sets: for each cell of a grid, the meshlets that may be seen from somewhere in it, baked on the
-// host
-// (`zstrip bake --visible-sets`) and read in place; the format is in docs/formats.md.
+// Potentially visible sets: for each cell of a grid, the meshlets that may be seen from somewhere in it. The host bakes
+// them (`zstrip bake --visible-sets`), and they are read in place; the format is in docs/formats.md.
 #pragma once
 
 #include <bit>
@@ -51,7 +50,7 @@ constexpr Status damaged_sets(std::size_t at) {
   return {.error = Error::blob_damaged, .needed = static_cast<std::uint32_t>(at)};
 }
 
-/// Of an aligned blob that has this byte.
+/// Reads a value from an aligned blob, which must be long enough.
 template <class Value>
 Value value_at(std::span<const std::byte> bytes, std::uint32_t at) {
   return *reinterpret_cast<const Value*>(bytes.data() + at);

@@ -410,7 +410,7 @@ namespace zstrip::detail {
   )");
 }
 
-// As scan_small_thumb, with the colour in r8: starts and steps of edges and depth alone, and the strides of both rows.
+// Works as scan_small_thumb, with the colour in r8: it steps only edges and depth, and the strides of both rows.
 [[gnu::naked]] void scan_small_flat_thumb(SmallScan&) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) ZSTRIP_THUMB1_PUSH R"(
     .set .Lstack.scan, 0
