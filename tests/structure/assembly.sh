@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1/core/zstrip/kernels"
 operations='\b(ldr|str)(b|h|d|sb|sh)?(eq|ne)?\b'
-found=$(grep -rnP "$operations"'[^@\[]*(\[\w+, #-?\d+(?!\d| \* \.L)|\[[^]]*\], #-?\d+(?!\d| \* \.L))' thumb thumb1 thumb2 || true)
+found=$(grep -rnP "$operations"'[^@\[]*(\[\w+,\s*#-?\d+(?!\d| \* \.L)|\[[^]]*\],\s*#-?\d+(?!\d| \* \.L))' thumb thumb1 thumb2 || true)
 if [ -n "$found" ]; then
   printf 'offsets that are bare numbers:\n%s\n' "$found"
   exit 1
