@@ -24,12 +24,6 @@ namespace zstrip {
 /// Renderer would return for scene, view, plan or memory is an error of the compilation. validate(scene), which reads
 /// every index, is left to a static_assert of the program. Pass `counts` if the compiler cannot see the meshlets. Not
 /// safe for two threads at once; separate objects are independent.
-///     constexpr zstrip::View kView{128, 96, zstrip::PixelFormat::rgb565_swapped};
-///     zstrip::FixedRenderer<kScene, kView, zstrip::Budget{.bytes = 2048}> renderer;
-/// The plan is made by the compiler, within `budget`; its arena is in the object, kPlan.bytes() of it. Errors that a
-/// Renderer returns for scene, view, plan and memory end the compilation. validate(scene), which reads every index, is
-/// left to a static_assert of the program. `counts` is given where meshlets are not visible to the compiler. Not safe
-/// for two threads at once; separate objects are independent.
 template <const Scene& scene, const View& view, Budget budget = Budget{}, Effects more = Effects{},
           Projection projection = Projection::perspective, SceneCounts counts = count(scene)>
 class FixedRenderer {

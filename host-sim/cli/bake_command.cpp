@@ -29,6 +29,7 @@
 #include "cli/picture_arguments.hpp"
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
+#include "image/inputs.hpp"
 #include "image/write_file.hpp"
 #include "render/edged_stage.hpp"
 #include "render/shadow_pool.hpp"
@@ -344,11 +345,9 @@ Result<Done> run(const Arguments& arguments) {
   if (!model) return model.failure();
   const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();
-  const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
   OutputNames outputs;
   outputs.path = arguments.output;
-  const Result<Done> distinct =
-      check_distinct(outputs, arguments.json, built_in ? "" : arguments.scene, arguments.visible_sets);
+  const Result<Done> distinct = check_distinct(outputs, arguments.json, arguments.visible_sets);
   if (!distinct) return distinct.failure();
   const Result<PicoFile> pico_file = parse_pico(arguments.pico, arguments.output);
   if (!pico_file) return pico_file.failure();
@@ -411,6 +410,11 @@ Result<Done> run(const Arguments& arguments) {
   const Result<std::vector<std::uint8_t>> output =
       make_output(arguments, *kind, *baked, *turning_camera, *pico_file, record);
   if (!output) return output.failure();
+  // Before anything is written.
+  if (const Result<Done> checked = check_no_input(arguments.visible_sets.value_or(""), "--visible-sets"); !checked)
+    return checked.failure();
+  if (const Result<Done> checked = check_no_input(arguments.json.value_or(""), "--json"); !checked)
+    return checked.failure();
   const Result<Done> written = write_file(arguments.output, *output, "-o");
   if (!written) return written.failure();
   if (arguments.visible_sets) {

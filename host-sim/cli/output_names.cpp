@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "image/inputs.hpp"
 #include "text/text.hpp"
 
 namespace zstrip::sim {
@@ -98,7 +99,7 @@ bool is_standard_output(const std::string& path) {
 }
 
 Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std::string>& json,
-                            const std::string& scene, const std::optional<std::string>& sets) {
+                            const std::optional<std::string>& sets) {
   const auto usage = [](std::string message) { return Failure{ExitStatus::usage, std::move(message)}; };
   const bool json_on_stdout = json && (*json == "-" || is_standard_output(*json));
   if (json_on_stdout && is_standard_output(outputs.path.string())) {
@@ -108,15 +109,8 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
   const auto file_of = [](bool is_file, const std::string& path) {
     return is_file && !is_device(path) ? resolved(path) : std::filesystem::path();
   };
-  const std::filesystem::path model = resolved(scene);
   const std::filesystem::path report = file_of(json && !json_on_stdout, json.value_or(""));
   const std::filesystem::path set_file = file_of(sets.has_value(), sets.value_or(""));
-  if (!report.empty() && report == model) {
-    return usage(fmt::format("--json '{}' is the model itself; name another file", *json));
-  }
-  if (!set_file.empty() && set_file == model) {
-    return usage(fmt::format("--visible-sets '{}' is the model itself; name another file", *sets));
-  }
   if (!report.empty() && report == set_file) {
     return usage(fmt::format("--json '{}' is the file of --visible-sets; give the report another name", *json));
   }
@@ -128,7 +122,6 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
     const std::filesystem::path name = outputs.file(frame);
     if (!outputs.folder && is_device(name)) continue;
     const std::filesystem::path picture = outputs.folder ? place / name.filename() : resolved(name);
-    if (picture == model) return usage(fmt::format("-o '{}' is the model itself; name another file", name.string()));
     if (!report.empty() && picture == report) {
       return usage(fmt::format("--json '{}' is a file of -o; give the report another name", *json));
     }
@@ -140,6 +133,9 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
 }
 
 Result<Done> prepare(const OutputNames& outputs) {
+  for (std::uint32_t frame = 0; frame < (outputs.folder ? outputs.frames : 1); ++frame) {
+    if (Result<Done> checked = check_no_input(outputs.file(frame), "-o"); !checked) return checked;
+  }
   if (!outputs.folder) return Done{};
   std::error_code error;
   std::filesystem::create_directories(outputs.path, error);

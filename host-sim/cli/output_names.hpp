@@ -37,12 +37,12 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
 /// True if `path` is a name of standard output: /dev/stdout and similar names.
 bool is_standard_output(const std::string& path);
 
-/// Refuses to write two outputs to one place: the report over a picture, or either of them over the file of the scene
-/// or of --visible-sets; also if the latter two are the same file.
+/// Refuses to write two outputs to one place: pictures, the report, the file of --visible-sets. write_file protects
+/// the inputs.
 Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std::string>& json,
-                            const std::string& scene, const std::optional<std::string>& sets = std::nullopt);
+                            const std::optional<std::string>& sets = std::nullopt);
 
-/// Creates the folder, if there is one.
+/// Creates the folder, if there is one. Refuses names of files that were read, before anything is written.
 Result<Done> prepare(const OutputNames& outputs);
 
 }  // namespace zstrip::sim

@@ -74,11 +74,7 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   Result<OutputNames> outputs = name_outputs(scene, arguments.output, arguments.frames, type, shown_format(*drawing),
                                              settings->frames.value_or(kFolderFrames));
   if (!outputs) return outputs.failure();
-  const bool built_in = kind_of_scene(scene) == SceneKind::built_in;
-  const std::string& file_of_sets = drawing->visibility.sets;
-  const std::optional<std::string> sets = file_of_sets.empty() ? std::nullopt : std::optional(file_of_sets);
-  const Result<Done> distinct = check_distinct(*outputs, arguments.json, built_in ? "" : scene, sets);
-  if (!distinct) return distinct.failure();
+  if (const Result<Done> distinct = check_distinct(*outputs, arguments.json); !distinct) return distinct.failure();
   const unsigned threads =
       arguments.threads ? *arguments.threads : std::clamp(std::thread::hardware_concurrency(), 1U, kMaxThreads);
   return Job{std::move(*drawing), std::move(*outputs), threads};

@@ -13,6 +13,8 @@
 #include <string>
 #include <system_error>
 
+#include "image/inputs.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -81,6 +83,7 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) return cannot_write(path, EISDIR, option);
+  if (Result<Done> checked = check_no_input(path, option); !checked) return checked;
   // A link is kept: its target is replaced.
   std::error_code error;
   std::filesystem::path target = std::filesystem::canonical(path, error);

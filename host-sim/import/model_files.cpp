@@ -11,6 +11,7 @@
 #include <memory>
 #include <utility>
 
+#include "image/inputs.hpp"
 #include "import/assimp/obj_text.hpp"
 #include "import/assimp/stl_text.hpp"
 #include "import/ending.hpp"
@@ -109,12 +110,17 @@ std::string ModelFiles::plain(const std::string& file, std::string text) {
 }
 
 Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
+  std::string place = file;
   std::unique_ptr<Assimp::IOStream> stream(DefaultIOSystem::Open(file, mode));
-  if (!stream) stream.reset(DefaultIOSystem::Open(place_of(file).c_str(), mode));
+  if (!stream) {
+    place = place_of(file);
+    stream.reset(DefaultIOSystem::Open(place.c_str(), mode));
+  }
   if (!stream) {
     read_.not_opened.emplace_back(file);
     return nullptr;
   }
+  remember_input(place);
   std::string begin(kMarkOfUtf8.size(), '\0');
   begin.resize(stream->Read(begin.data(), 1, begin.size()));
   stream->Seek(0, aiOrigin_SET);

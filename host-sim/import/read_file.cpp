@@ -9,6 +9,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "image/inputs.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -56,6 +58,7 @@ Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path, s
   }
   if (bytes.size() > limit) return Failure{ExitStatus::input, fmt::format("has more than {} MB", limit >> 20)};
   if (file.bad()) return Failure{ExitStatus::input, "cannot be read to its end"};
+  remember_input(path);
   return bytes;
 }
 

@@ -260,6 +260,35 @@ TEST_F(Command, TexturesOutsideAndInsideTheModel) {
   EXPECT_GT(colours.size(), 20U) << "a picture of a texture has many colours";
 }
 
+/// `render house.obj` wrote house.png, its texture's name. So did -o, --json and the frames of a folder.
+TEST_F(Command, FilesThatTheSceneReadsAreNotReplaced) {
+  ASSERT_EQ(zstrip({"render", "cube", "-o", "house.png", "--size", "8x8", "--quiet"}).status, 0);
+  std::filesystem::create_directory(path("turn"));
+  std::filesystem::copy_file(path("house.png"), path("turn/frame_0001.png"));
+  std::filesystem::create_symlink("house.png", path("link.png"));
+  file("house.obj", "mtllib house.mtl\nvt 0 0\nusemtl wall\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n");
+  file("house.mtl", "newmtl wall\nmap_Kd house.png\n");
+  file("turned.obj", "mtllib turned.mtl\nvt 0 0\nusemtl wall\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n");
+  file("turned.mtl", "newmtl wall\nmap_Kd turn/frame_0001.png\n");
+  file("scene.toml", "[[model]]\nname = 'house'\nfile = 'house.obj'\n[[instance]]\nmodel = 'house'\n");
+  const std::vector<std::string> before = files();
+  std::vector<std::string> contents;
+  for (const std::string& name : before) contents.push_back(read(path(name)));
+  using Words = std::vector<std::string>;
+  for (const Words& words : {Words{"render", "house.obj"}, Words{"render", "scene.toml", "-o", "link.png"},
+                             Words{"render", "scene.toml", "-o", "house.obj", "--image", "png"},
+                             Words{"render", "scene.toml", "-o", "/dev/null", "--image", "png", "--json", "house.mtl"},
+                             Words{"render", "turned.obj", "-o", "turn", "--frames", "3"},
+                             Words{"bake", "scene.toml", "-o", "scene.hpp", "--visible-sets", "scene.toml"},
+                             Words{"bake", "scene.toml", "-o", "scene.hpp", "--json", "house.png"}}) {
+    const Outcome outcome = zstrip(words);
+    EXPECT_EQ(outcome.status, 2) << words[1];
+    EXPECT_NE(outcome.err.find("is read by this command and is not replaced"), std::string::npos) << outcome.err;
+  }
+  ASSERT_EQ(files(), before);
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(read(path(before[i])), contents[i]) << before[i];
+}
+
 /// Were refused as damaged or empty.
 TEST_F(Command, ModelsInUtf16AndRawWithGroups) {
   const std::filesystem::path models = ASSIMP_MODELS;
