@@ -258,6 +258,7 @@ class Composer {
     const Result<std::uint16_t> material = materials_.index_of(placed);
     if (!material) return material.failure();
     Instance instance{.mesh = meshes_.index_of(placed, scale), .material = *material};
+    if (placed.file->outline && composed_->meshes[instance.mesh].outline == 0) warn_of_lost_outline(*placed.file);
     if (const Result<Done> fits = check_outline(placed, instance); !fits) return fits.failure();
     const double units = composed_->units.scale;
     const auto at = [this, placed, unscaled, units](double seconds) {
@@ -276,11 +277,22 @@ class Composer {
     return Done{};
   }
 
+  /// Warns once for an instance of many parts.
+  void warn_of_lost_outline(const FileInstance& file) {
+    std::string warning = at_line(file_.path, file.outline->line,
+                                  "[instance.outline] is left out: the model is too small beside the rest of the scene")
+                              .message;
+    if (std::ranges::find(composed_->warnings, warning) == composed_->warnings.end()) {
+      composed_->warnings.push_back(std::move(warning));
+    }
+  }
+
   Result<Done> check_outline(const PlacedPart& placed, const Instance& instance) const {
     if (!placed.file->outline) return Done{};
     const auto wrong = [&](const char* what) { return at_line(file_.path, placed.file->outline->line, what); };
     if (composed_->outlines.size() > kMaxOutlines) return wrong("[instance.outline] is one of more than 255 outlines");
-    if (composed_->outlines[composed_->meshes[instance.mesh].outline - 1U].hull == kNoHull) {
+    const std::uint8_t outline = composed_->meshes[instance.mesh].outline;
+    if (outline > 0 && composed_->outlines[outline - 1U].hull == kNoHull) {
       return wrong("[instance.outline]: the model has too many vertices for the hull of an outline; simplify it");
     }
     const Material& material = composed_->materials[instance.material];

@@ -73,8 +73,8 @@ std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& s
     mesh.normals = own.normals;
     mesh.meshlets = own.meshlets;
   }
-  if (outline) {
-    const Outline own{.colour = colour, .width = width, .hull = hull_of(placed, mesh, scale)};
+  if (const std::optional<std::uint16_t> hull = outline ? hull_of(placed, mesh, scale) : std::nullopt) {
+    const Outline own{.colour = colour, .width = width, .hull = *hull};
     const auto same = [&own](const Outline& other) {
       return other.colour == own.colour && other.width == own.width && other.hull == own.hull;
     };
@@ -88,13 +88,14 @@ std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& s
   return index;
 }
 
-std::uint16_t ComposedMeshes::hull_of(const PlacedPart& placed, const Mesh& mesh, const Vector& scale) {
+std::optional<std::uint16_t> ComposedMeshes::hull_of(const PlacedPart& placed, const Mesh& mesh, const Vector& scale) {
   if (is_own_hull(mesh)) return kOwnMesh;
-  const auto [at, is_new] = hulls_.try_emplace({placed.model_index, placed.part_index, scale, placed.file->billboard},
-                                               static_cast<std::uint16_t>(scene_.meshes.size()));
-  if (!is_new) return at->second;
+  const auto [at, is_new] = hulls_.try_emplace({placed.model_index, placed.part_index, scale, placed.file->billboard});
+  std::optional<std::uint16_t>& hull_index = at->second;
+  if (!is_new) return hull_index;
   std::vector<MeshData> parts = sim::hull_of(mesh);
-  if (parts.size() != 1) return at->second = kNoHull;
+  if (parts.empty()) return hull_index;
+  if (parts.size() > 1) return hull_index = kNoHull;
   const MeshData& own = scene_.hulls.emplace_back(std::move(parts.front()));
   Mesh hull = mesh;
   hull.positions = own.positions;
@@ -103,8 +104,9 @@ std::uint16_t ComposedMeshes::hull_of(const PlacedPart& placed, const Mesh& mesh
   hull.texcoords = {};
   hull.triangles = own.triangles;
   hull.meshlets = own.meshlets;
+  hull_index = static_cast<std::uint16_t>(scene_.meshes.size());
   scene_.meshes.push_back(hull);
-  return at->second;
+  return hull_index;
 }
 
 }  // namespace zstrip::sim

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -23,12 +24,12 @@ class ComposedMeshes {
 
   /// Returns the size of a part in the scene, which is applied to its mesh, so that its rotation keeps full precision.
   Vector scale_of(const PlacedPart& placed);
-  /// Returns the index of the mesh with this size and with the outline of the instance.
+  /// Returns the index of the mesh with this size and with the outline of the instance, if its hull has an area.
   std::uint16_t index_of(const PlacedPart& placed, const Vector& scale);
 
  private:
-  /// Returns the index of the hull of this mesh.
-  std::uint16_t hull_of(const PlacedPart& placed, const Mesh& mesh, const Vector& scale);
+  /// Returns the index of the hull of this mesh; none if its triangles have no area in the scene's fixed point.
+  std::optional<std::uint16_t> hull_of(const PlacedPart& placed, const Mesh& mesh, const Vector& scale);
 
   ComposedScene& scene_;
   std::map<std::pair<std::size_t, std::size_t>, Vector> first_scales_;
@@ -36,7 +37,7 @@ class ComposedMeshes {
   using Key =
       std::tuple<std::size_t, std::size_t, Vector, Billboard, std::uint16_t, std::array<std::uint8_t, 3>, ShadowRole>;
   std::map<Key, std::uint16_t> known_;
-  std::map<std::tuple<std::size_t, std::size_t, Vector, Billboard>, std::uint16_t> hulls_;
+  std::map<std::tuple<std::size_t, std::size_t, Vector, Billboard>, std::optional<std::uint16_t>> hulls_;
 };
 
 }  // namespace zstrip::sim

@@ -47,6 +47,7 @@ void set_bounds(Meshlet& meshlet, std::span<const Position> positions, const Vec
 
 std::vector<MeshData> split_into_meshlets(const MeshData& whole, std::span<const std::uint32_t> indices,
                                           const Vec3& half_extent) {
+  if (indices.empty()) return {};  // meshoptimizer would abort
   std::vector<std::array<float, 3>> points;
   points.reserve(whole.positions.size());
   for (const Position& p : whole.positions) {

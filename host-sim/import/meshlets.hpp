@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxMeshVertices = 65535;
 
 /// `whole` has the vertices (its triangles and meshlets are not read), `indices` three indices for each triangle;
 /// `half_extent` is that of the grid (16.16). The vertices of a meshlet are adjacent; vertices on its border are in
-/// each meshlet that uses them. The result has every triangle once.
+/// each meshlet that uses them. The result has every triangle once, and is empty without triangles.
 std::vector<MeshData> split_into_meshlets(const MeshData& whole, std::span<const std::uint32_t> indices,
                                           const Vec3& half_extent);
 

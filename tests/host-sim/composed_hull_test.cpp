@@ -50,6 +50,12 @@ TEST(ComposedHull, CornersOfABoxPointAlongTheSumOfItsFaces) {
   }
 }
 
+/// The library that cuts meshes aborted.
+TEST(ComposedHull, AMeshWithoutAreaHasNoHull) {
+  const Cube cube({0, 0, 0});
+  EXPECT_TRUE(hull_of(cube.mesh).empty());
+}
+
 /// Whether a face is cut into triangles, and into how many, says nothing of where its corner moves.
 TEST(ComposedHull, FlatFacesMoveStraight) {
   Cube cube({kFixedOne, kFixedOne, kFixedOne});

@@ -179,5 +179,22 @@ TEST_F(ScenePicture, MipmapsOfAMaterialWithoutTextureAreRefused) {
       << outcome.err;
 }
 
+/// The command aborted.
+TEST_F(ScenePicture, AnOutlineOfAModelThatIsTooSmallIsLeftOutWithAWarning) {
+  file("cube.obj", cube_obj());
+  const std::string model = "[[model]]\nname = 'c'\nfile = 'cube.obj'\n[[instance]]\nmodel = 'c'\n";
+  for (const char* size : {"scale = 1e-6\n", "scale = [1e-6, 1e-6, 1]\n"}) {
+    file("scene.toml", model + "[[instance]]\nmodel = 'c'\noutline = { width = 2 }\n" + size);
+    const Outcome outcome = zstrip({"render", "scene.toml", "-o", "small.png", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err,
+              "zstrip: warning: 'scene.toml' line 8: [instance.outline] is left out: the model is too small beside the "
+              "rest of the scene\n");
+  }
+  file("plain.toml", model);
+  file("scene.toml", model + "outline = { colour = '#ff0000' }\n[[instance]]\nmodel = 'c'\nscale = 1e-6\n");
+  EXPECT_NE(checksum("scene.toml", {}), checksum("plain.toml", {})) << "a model of usual size keeps its outline";
+}
+
 }  // namespace
 }  // namespace zstrip::sim::test
