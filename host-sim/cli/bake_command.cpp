@@ -291,20 +291,42 @@ Result<Done> warn_of_method(Kind kind, const std::string& scene, Effects method)
   const Result<PictureSettings> settings = settings_of(scene);
   if (!settings) return settings.failure();
   const VisibilitySettings& from = settings->visibility;
-  if (!is_source(kind)) {
+  if (kind == Kind::pico) {
+    print_warning("'visibility' of the scene file is left out: the program for the Pico draws with a z-buffer");
+  } else if (kind == Kind::blob) {
     std::string options;
     if (from.iterations) options += fmt::format(" --iterations {}", *from.iterations);
     if (from.sort_key) options += fmt::format(" --sort-key {}", *from.sort_key);
     print_warning(fmt::format(
         "a blob does not keep 'visibility' of the scene file: the program that draws it chooses the method, as zstrip "
-        "render --visibility {}{}",
-        visibility_name(method), options));
+        "render --visibility {}{}{}",
+        visibility_name(method), options, keeps_method(kind, method) ? "" : "; memory is planned with a z-buffer"));
   } else if (from.iterations || from.sort_key) {
     print_warning(fmt::format(
         "a header does not keep '{}' of the scene file: the program that draws it sets that in VisibilityOptions",
         from.iterations ? "iterations" : "sort_key"));
   }
   return Done{};
+}
+
+/// A method that the output does not keep is refused as an option. From a scene file it becomes a warning, and memory
+/// is planned with a z-buffer.
+Result<Done> settle_method(Kind kind, const Arguments& arguments, PlanRequest& request) {
+  if (request.method == Effects{}) return Done{};
+  const bool kept = keeps_method(kind, request.method);
+  if (!arguments.plan.visibility) {
+    if (const Result<Done> warned = warn_of_method(kind, arguments.scene, request.method); !warned) return warned;
+    if (!kept) request.method = {};
+    return Done{};
+  }
+  if (kept) return Done{};
+  return Failure{
+      ExitStatus::usage,
+      fmt::format("--visibility {}: {}; leave it out, or bake a header (-o FILE.hpp), which keeps the method",
+                  visibility_name(request.method),
+                  kind == Kind::pico ? "the program for the Pico draws with a z-buffer"
+                                     : "a blob keeps only painter-newell and painter-bsp, and the program that draws "
+                                       "it chooses any other method")};
 }
 
 Result<Done> run(const Arguments& arguments) {
@@ -332,14 +354,11 @@ Result<Done> run(const Arguments& arguments) {
   if (for_pico) {
     if (const Result<Done> shown = check_view_for_pico(request->view); !shown) return shown.failure();
   }
+  if (const Result<Done> settled = settle_method(*kind, arguments, *request); !settled) return settled.failure();
   if (const Result<Done> checked = check_visibility(
           request->method | picture_effects(*request) | edge_effects(request->edges), depth_option(std::nullopt));
       !checked) {
     return checked.failure();
-  }
-  if (request->method != Effects{} && !arguments.plan.visibility) {
-    const Result<Done> warned = warn_of_method(*kind, arguments.scene, request->method);
-    if (!warned) return warned.failure();
   }
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();
@@ -446,6 +465,10 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("FILE");
   add_plan_options(*command, a.plan);
+  command->get_option("--visibility")
+      ->description(fmt::format("How visibility is found: {} (default: zbuffer). Headers keep it, .zsc only "
+                                "painter-newell and painter-bsp, .uf2, .ino and .cpp none",
+                                visibility_names()));
   add_camera_options(*command, a.camera);
   command->add_flag("--turntable", a.turntable, "Place the camera so that the model may turn, as for several frames");
   command->add_option("--namespace", a.name_space, "Where a header's constants are, for several in one program")

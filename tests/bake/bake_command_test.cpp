@@ -213,6 +213,8 @@ TEST_F(Bake, Refusals) {
   expect({"bake", kHouseModel, "-o", "main.cpp", "--namespace", "player"}, 2, "--namespace player");
   expect({"bake", kHouseModel, "-o", "house.ino", "--visibility", "painter"}, 2, "no --visibility painter");
   expect({"bake", kHouseModel, "-o", "main.cpp", "--visibility", "painter"}, 2, "no --visibility painter");
+  expect({"bake", kHouseModel, "-o", "house.zsc", "--visibility", "painter"}, 2, "a blob keeps only painter-newell");
+  expect({"bake", kHouseModel, "-o", "house.uf2", "--visibility", "painter-bsp"}, 2, "draws with a z-buffer");
   expect({"bake", kHouseModel, "-o", "house.hpp", "--size", "0x0"}, 2, "--size");
   expect({"bake", "room", "-o", "room.hpp", "--textures", "palette"}, 2, "--textures");
   expect({"bake", "none.obj", "-o", "house.hpp"}, 4, "none.obj");

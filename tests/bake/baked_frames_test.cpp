@@ -155,6 +155,20 @@ TEST_F(BakedFrames, WhatABlobDoesNotKeepIsSaid) {
   EXPECT_EQ(ordered, Words(3, ordered.at(0)));
 }
 
+/// Their RAM was that of a painter, and the program that shows them has a z-buffer.
+TEST_F(BakedFrames, ABlobOfASceneFileWithAMethodIsPlannedWithAZBuffer) {
+  const std::string scene = scene_of("[picture]\nvisibility = 'painter'\n" + kMaterials + kMoving);
+  for (const auto& [output, depth_bytes, words] :
+       {std::tuple{"scene.hpp", 0, ""},
+        {"scene.zsc", 240 * 240 * 2, "memory is planned with a z-buffer"},
+        {"scene.uf2", 240 * 80 * 2, "the program for the Pico draws with a z-buffer"}}) {
+    const Outcome outcome = zstrip({"bake", scene, "-o", output, "--size", "240x240", "--quiet", "--json", "-"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out).at("plan").at("ram_bytes").at("depth"), depth_bytes) << output;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  }
+}
+
 /// Each unbaked frame had a tree of its own, lit anew; the baked one has the first one's light in its colours.
 TEST_F(BakedFrames, TreesAreTheSceneOfTheFirstFrame) {
   for (const char* scene : {BAKE_MODELS "/house.obj", "teapot", "random50"}) {

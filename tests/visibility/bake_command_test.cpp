@@ -37,7 +37,7 @@ TEST_F(VisibilityCommand, ATreeIsBakedAndDrawnInPlace) {
 /// They were all called sorting, and most were bounds.
 TEST_F(VisibilityCommand, BytesOfTwoKindsHaveBothNames) {
   const std::string words = "random50 --size 96x80 --strip-rows 80 --visibility front-to-back-hierarchical-z -o '";
-  for (const CommandOutcome& told : {render(words + path("a.png") + "'"), run("bake " + words + path("a.zsc") + "'")}) {
+  for (const CommandOutcome& told : {render(words + path("a.png") + "'"), run("bake " + words + path("a.hpp") + "'")}) {
     EXPECT_EQ(told.status, 0) << told.text;
     EXPECT_NE(told.text.find(", sorting and bounds of depth 1,608)"), std::string::npos) << told.text;
   }
@@ -56,7 +56,7 @@ TEST_F(VisibilityCommand, PlanAndBakeKnowTheMethodsBytes) {
        "hierarchical-z: 808 bytes for bounds of depth");
   says("plan random50 --size 96x80 --visibility midpoint", "midpoint: no memory of its own");
   says("plan random50 --size 96x80 --visibility painter-bsp", "painter-bsp: ");
-  says("bake random50 --size 96x80 --strip-rows 80 -o '" + path("a.zsc") + "' --visibility front-to-back",
+  says("bake random50 --size 96x80 --strip-rows 80 -o '" + path("a.hpp") + "' --visibility front-to-back",
        "front-to-back: 800 bytes for sorting");
   says("bake random50 --size 96x80 --strip-rows 80 -o '" + path("a.hpp") + "' --visibility front-to-back --json -",
        "\"visibility\": 800");
