@@ -169,7 +169,7 @@ Result<Done> report(const BenchOptions& options, const std::string& table, const
   const bool json_on_stdout = options.json == "-";
   // main reports failures of standard output.
   if (!write_text(json_on_stdout ? stderr : stdout, table) && json_on_stdout) {
-    return Failure{ExitStatus::output, "cannot write the table to standard error; is the disk full?"};
+    return Failure{ExitStatus::output, "cannot write the table to standard error; is it closed, or the disk full?"};
   }
   if (options.json.empty()) return Done{};
   if (!json_on_stdout) {

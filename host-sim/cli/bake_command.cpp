@@ -281,9 +281,14 @@ Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
   }
   if (arguments.quiet) return Done{};
   if (!write_text(json_on_stdout ? stderr : stdout, bake_summary(record)) && json_on_stdout) {
-    return Failure{ExitStatus::output, "cannot write the summary to standard error; is the disk full?"};
+    return Failure{ExitStatus::output, "cannot write the summary to standard error; is it closed, or the disk full?"};
   }
   return Done{};
+}
+
+/// Blobs keep the triangles that a method orders; the program for the Pico does not draw them in that order.
+bool keeps_method(Kind kind, Effects chosen) {
+  return is_source(kind) || (kind == Kind::blob && chosen.any(method::orders));
 }
 
 /// Warns of the scene file's visibility settings that the output does not keep.

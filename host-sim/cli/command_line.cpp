@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -22,10 +23,13 @@ namespace zstrip::sim {
 namespace {
 
 /// Opens a descriptor on which writing fails for each closed standard stream. Otherwise the next file that is opened,
-/// such as a picture, would become the stream, and messages would be written into it.
+/// such as a picture, would become the stream, and messages would be written into it. For outputs it is a socket
+/// without a peer, because /dev/stdout can then not be opened either; that of a file could.
 void keep_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);  // gets the lowest free number: this one
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    // Both get the lowest free number: this one.
+    if (stream == STDIN_FILENO || ::socket(AF_UNIX, SOCK_DGRAM, 0) < 0) ::open("/dev/null", O_RDONLY);
   }
 }
 
@@ -54,7 +58,7 @@ int parse_and_run(int argc, char** argv, void (*add_commands)(CLI::App& app, int
   // Writing can also fail later, when buffers are flushed.
   std::cout.flush();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    return print_failure({ExitStatus::output, "cannot write to standard output; is the disk full?"});
+    return print_failure({ExitStatus::output, "cannot write to standard output; is it closed, or the disk full?"});
   }
   return exit_code;
 }

@@ -214,7 +214,7 @@ Result<Done> report(const RunRecord& run, const RenderCommandLine& arguments) {
   if (arguments.quiet) return Done{};
   const bool stdout_taken = json_on_stdout || (arguments.output && is_standard_output(*arguments.output));
   if (!write_text(stdout_taken ? stderr : stdout, summary(run)) && stdout_taken) {
-    return Failure{ExitStatus::output, "cannot write the summary to standard error; is the disk full?"};
+    return Failure{ExitStatus::output, "cannot write the summary to standard error; is it closed, or the disk full?"};
   }
   return Done{};
 }

@@ -23,6 +23,7 @@ Failure cannot_write(const std::filesystem::path& path, int reason, const char* 
   const char* advice = "choose another place";
   if (reason == ENOSPC || reason == EDQUOT) advice = "free some space there, or choose another place";
   if (reason == EACCES || reason == EPERM || reason == EROFS) advice = "choose a place that you may write to";
+  if (reason == ENXIO) advice = "open that stream, or choose another place";
   if (reason == ENOENT || reason == ENOTDIR) advice = "create its folder first, or choose another place";
   return {ExitStatus::output, fmt::format("cannot write '{}': {}; {} with {}", path.string(),
                                           std::generic_category().message(reason), advice, option)};

@@ -371,6 +371,22 @@ TEST_F(BadInput, StandardOutputFullOrClosed) {
   }
 }
 
+/// The pictures were lost, and the status was 0.
+TEST_F(BadInput, APictureForAClosedStreamIsAnError) {
+  std::filesystem::create_symlink("/dev/stdout", path("link.hpp"));
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"render", "cube", "-o", "/dev/stdout"},
+           {"render", "cube", "-o", "/dev/fd/1", "--image", "raw", "--quiet"},
+           {"render", "cube", "-o", "/dev/null", "--quiet", "--json", "/proc/self/fd/1"},
+           {"bake", "cube", "-o", "link.hpp", "--quiet"}}) {
+    expect_failure(ExitStatus::output, "cannot write ", arguments, {.out = "-"});
+  }
+  expect_failure(ExitStatus::output, "'/dev/stdout': No such device or address; open that stream, or choose",
+                 {"render", "cube", "-o", "/dev/stdout"}, {.out = "-"});
+  EXPECT_EQ(run(ZSTRIP_COMMAND, {"render", "cube", "-o", "/dev/stderr", "--quiet"}, path(""), {.err = "-"}).status, 6);
+  EXPECT_EQ(run(ZSTRIP_COMMAND, {"render", "cube", "-o", "/dev/null", "--quiet"}, path(""), {.out = "-"}).status, 0);
+}
+
 TEST_F(BadInput, ReportOverAPicture) {
   file("t.obj", kTriangleObj);
   file("a.png", "mine");
