@@ -1,6 +1,7 @@
 // Reports a crash or an endless loop inside a file parser as an error of the file.
 #include "import/crash_guard.hpp"
 
+#include <sys/mman.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -68,6 +69,11 @@ CrashGuard::~CrashGuard() {
   lift_limits();
   for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &previous_[i], nullptr);
   ::sigaltstack(&previous_stack_, nullptr);
+}
+
+bool machine_gives(std::uint64_t bytes) {
+  void* const memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return memory != MAP_FAILED && ::munmap(memory, bytes) == 0;
 }
 
 }  // namespace zstrip::sim

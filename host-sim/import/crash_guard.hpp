@@ -38,4 +38,7 @@ class CrashGuard {
   std::array<struct sigaction, kSignals.size()> previous_{};
 };
 
+/// True if a request for this much memory would succeed now.
+bool machine_gives(std::uint64_t bytes);
+
 }  // namespace zstrip::sim

@@ -59,12 +59,8 @@ Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<Up
   if (!document) return unreadable_model(document.failure().message);
   if (document->version == 1) return read_assimp(path, up, texcoords, parsed);
   if (document->version != 2) return unreadable_model("it is of a version of glTF that is not known");
-  try {
-    return read_gltf(*document, reader_beside(path.parent_path()), turn_up(up.value_or(UpAxis::plus_y)), texcoords,
-                     highlights);
-  } catch (const std::bad_alloc&) {
-    return unreadable_model("it asks for more memory than a file of its size may");
-  }
+  return read_gltf(*document, reader_beside(path.parent_path()), turn_up(up.value_or(UpAxis::plus_y)), texcoords,
+                   highlights);
 }
 
 }  // namespace
@@ -88,7 +84,15 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
       fmt::format("zstrip: '{}' is not read after {} s: the file is damaged, or too intricate; export it again", shown,
                   limit.count()),
       limit, reading_memory(bytes));
-  Result<SourceModel> model = read_any(path, up, texcoords, highlights, guard);
+  Result<SourceModel> model = [&]() -> Result<SourceModel> {
+    try {
+      return read_any(path, up, texcoords, highlights, guard);
+    } catch (const std::bad_alloc&) {
+      guard.lift_limits();
+      if (!machine_gives(reading_memory(bytes))) throw;
+      return unreadable_model("it asks for more memory than a file of its size may");
+    }
+  }();
   if (!model) return named(model.failure().message);
   return model;
 }

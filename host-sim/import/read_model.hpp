@@ -22,7 +22,8 @@ constexpr std::uint64_t reading_memory(std::uint64_t file_bytes) { return (std::
 
 /// Reads all meshes of all nodes in the file's coordinates, rotated so that `up` becomes +y, grouped by material. Every
 /// triangle is finite and has three different corners, an area, and valid indices; the warnings count the triangles
-/// that were left out. The result has at least one triangle.
+/// that were left out. The result has at least one triangle. Throws std::bad_alloc if the machine has less memory than
+/// a file of this size may take.
 Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<UpAxis> up,
                                Texcoords texcoords = Texcoords::of_textures, Highlights highlights = Highlights::none);
 

@@ -29,6 +29,7 @@ Result<DracoMesh> decode_draco(const GltfJson&, std::span<const std::uint8_t>) {
 CrashGuard::CrashGuard(const std::string&, const std::string&, std::chrono::seconds, std::uint64_t) {}
 CrashGuard::~CrashGuard() = default;
 void CrashGuard::lift_limits() {}
+bool machine_gives(std::uint64_t) { return false; }
 
 Result<Done> for_each_on_threads(std::uint32_t count, unsigned,
                                  const std::function<Result<Done>(unsigned thread, std::uint32_t index)>& work) {

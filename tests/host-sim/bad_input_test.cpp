@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "address_sanitizer.hpp"
 #include "result.hpp"
 #include "support.hpp"
 
@@ -147,6 +148,20 @@ TEST_F(BadInput, FaceOfTooManyCorners) {
   expect_failure(ExitStatus::input, "'face.obj' has a face of 80,000 corners; at most 5,000 are read",
                  {"render", "face.obj", "-o", "a.png"});
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds{10});
+}
+
+/// The file was blamed: status 4.
+TEST_F(BadInput, AMachineWithTooLittleMemoryIsNoFaultOfTheModel) {
+  if (kAddressSanitizer) GTEST_SKIP() << "it takes terabytes of addresses";
+  file("large.obj", sphere_obj(600, 400));
+  file("large.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],)"
+                     R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+                     R"("accessors":[{"componentType":5126,"type":"VEC3","count":20000000}]})");
+  file("scene.toml", "[[model]]\nname = 'a'\nfile = 'large.obj'\n[[instance]]\nmodel = 'a'\n");
+  for (const char* name : {"large.obj", "large.gltf", "scene.toml"}) {
+    expect_failure(ExitStatus::environment, "this machine has too little memory", {"render", name, "-o", "a.png"},
+                   {.memory = std::uint64_t{100} << 20});
+  }
 }
 
 /// A reader of models was asked about both.

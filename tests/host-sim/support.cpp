@@ -92,9 +92,10 @@ Outcome run(const std::string& program, const std::vector<std::string>& argument
   if (child == 0) {
     const int null = ::open("/dev/null", O_RDONLY);
     if (::chdir(folder.c_str()) != 0) ::_exit(126);
-    if (limits.file_bytes > 0) {
-      const rlimit limit{limits.file_bytes, limits.file_bytes};
-      ::setrlimit(RLIMIT_FSIZE, &limit);
+    for (const auto& [resource, most] :
+         {std::pair{RLIMIT_FSIZE, limits.file_bytes}, std::pair{RLIMIT_AS, limits.memory}}) {
+      const rlimit limit{most, most};
+      if (most > 0) ::setrlimit(resource, &limit);
     }
     ::dup2(null, STDIN_FILENO);
     ::dup2(out, STDOUT_FILENO);

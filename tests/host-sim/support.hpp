@@ -41,6 +41,7 @@ struct Outcome {
 };
 struct Limits {
   std::uint64_t file_bytes = 0;  ///< largest file that the program may write; 0: no limit
+  std::uint64_t memory = 0;      ///< bytes of addresses that the program may have; 0: no limit
   std::string out{}, err{};      ///< where the streams go instead of into Outcome; "-": closed
 };
 /// Runs `program` in `folder` and waits for it.

@@ -9,8 +9,10 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <span>
 #include <streambuf>
 #include <string>
@@ -83,6 +85,18 @@ unsigned most_corners(const aiScene& scene) {
     for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) most = std::max(most, face.mNumIndices);
   }
   return most;
+}
+
+/// Throws the exception again if memory was missing, which is no fault of the file.
+void rethrow_lack_of_memory(const std::exception_ptr& caught) {
+  if (!caught) return;
+  try {
+    std::rethrow_exception(caught);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (...) {
+    return;  // Assimp has words for it
+  }
 }
 
 /// Walks the nodes and collects their transformed meshes.
@@ -220,6 +234,7 @@ Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
   }
   if (scene == nullptr) {
+    rethrow_lack_of_memory(importer.GetException());
     std::string reason = importer.GetErrorString();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     return Failure{ExitStatus::input,

@@ -10,7 +10,7 @@
 namespace zstrip::sim {
 
 /// Has the same result as read_model. Calls `parsed` when Assimp has finished. The failure's message starts with a
-/// verb.
+/// verb. A lack of memory is std::bad_alloc.
 Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                                 const std::function<void()>& parsed);
 
