@@ -10,18 +10,6 @@
 #include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::sim {
-namespace {
-
-Affine to_affine(const Transform& transform) {
-  Affine affine;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 4; ++column) affine.m[row][column] = from_fixed(transform.m[row][column]);
-  }
-  return affine;
-}
-
-}  // namespace
-
 Affine PlacedModel::placed(const ModelPart& part, double seconds) const {
   if (!moves(part)) return part.to_file;
   if (seconds > animation->duration) seconds = std::fmod(seconds, animation->duration);

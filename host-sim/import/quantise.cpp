@@ -104,6 +104,14 @@ void append_alpha(const RgbImage& image, std::vector<std::uint16_t>& words) { ap
 
 Fixed to_fixed(double value) { return static_cast<Fixed>(std::llround(value * kFixedOne)); }
 
+Affine to_affine(const Transform& map) {
+  Affine affine;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) affine.m[row][column] = from_fixed(map.m[row][column]);
+  }
+  return affine;
+}
+
 Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>& traits) {
   const Grid common = fit_grid(source);
   Model model;

@@ -6,6 +6,7 @@
 
 #include "import/model.hpp"
 #include "import/source_model.hpp"
+#include "motion/affine.hpp"
 
 namespace zstrip::sim {
 
@@ -32,5 +33,6 @@ void append_alpha(const RgbImage& image, std::vector<std::uint16_t>& words);
 Fixed to_fixed(double value);
 /// Converts back, exactly.
 constexpr double from_fixed(Fixed value) { return static_cast<double>(value) / kFixedOne; }
+Affine to_affine(const Transform& map);
 
 }  // namespace zstrip::sim

@@ -67,11 +67,7 @@ double deviation(std::span<const Keyframe> keyframes, const Sample& sample, std:
   const Track track{.instance = 0, .count = static_cast<std::uint16_t>(keyframes.size()), .first = 0};
   Instance instance;
   pose({.tracks = {&track, 1}, .keyframes = keyframes, .duration = 0xFFFFFFFF}, sample.keyframe.time, {&instance, 1});
-  Affine got;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 4; ++column)
-      got.m[row][column] = from_fixed(instance.transform.m[row][column]);
-  }
+  const Affine got = to_affine(instance.transform);
   double farthest = 0;
   for (const Vector& corner : corners) {
     const Vector a = got * corner, b = sample.wanted * corner;

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include "import/quantise.hpp"
+#include "render/model_animation.hpp"
 #include "render/render_frame.hpp"
 #include "text/number.hpp"
 
@@ -35,6 +38,44 @@ const char* what_hides(const Scene& scene, const Material& material) {
   if (finish.alpha_mode == AlphaMode::blend && alpha == 0) return "is 0";
   return finish.alpha_mode == AlphaMode::mask && alpha < finish.alpha_cutoff ? "is below its cutoff" : nullptr;
 }
+
+/// Projects points of the world to the picture, in pixels.
+class Projector {
+ public:
+  Projector(const Camera& camera, const View& view) : camera_(camera), view_(view) {}
+
+  /// True if the points lie in the picture, between near and far plane, within less than a pixel.
+  bool is_below_a_pixel(const Affine& to_world, std::span<const Vector> points) const {
+    Vector low, high;  // pixels, and the depth
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector at = project(to_world * points[i]);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = i == 0 ? at[axis] : std::min(low[axis], at[axis]);
+        high[axis] = i == 0 ? at[axis] : std::max(high[axis], at[axis]);
+      }
+    }
+    return low[2] >= from_fixed(camera_.near_plane) && high[2] <= from_fixed(camera_.far_plane) &&
+           high[0] - low[0] < 1 && high[1] - low[1] < 1 && low[0] >= 0 && high[0] <= view_.width && low[1] >= 0 &&
+           high[1] <= view_.height;
+  }
+
+ private:
+  Vector project(const Vector& point) const {
+    const auto along = [&](const Vec3& axis) {
+      constexpr double kAxisOne = 1 << 30;  // 2.30
+      return ((point[0] - from_fixed(camera_.eye.x)) * axis.x + (point[1] - from_fixed(camera_.eye.y)) * axis.y +
+              (point[2] - from_fixed(camera_.eye.z)) * axis.z) /
+             kAxisOne;
+    };
+    const double depth = -along(camera_.back);
+    const double scale =
+        from_fixed(camera_.focal) * view_.height / 2 / (camera_.projection == Projection::perspective ? depth : 1);
+    return {view_.width / 2.0 + along(camera_.right) * scale, view_.height / 2.0 - along(camera_.up) * scale, depth};
+  }
+
+  const Camera& camera_;
+  const View& view_;
+};
 
 }  // namespace
 
@@ -72,6 +113,20 @@ std::string why_unseen(Stage& stage) {
   const std::uint16_t only = *materials.begin();
   const std::string name = only < names.size() ? names[only] : "";
   return fmt::format("the alpha of {} {}", name.empty() ? "its material" : fmt::format("material '{}'", name), hidden);
+}
+
+bool is_below_a_pixel(Stage& stage, const View& view) {
+  const Result<Staging> staging = stage.place(0, 1);
+  if (!staging) return false;
+  const Scene& scene = staging->scene;
+  const Projector projector(staging->camera, view);
+  const auto instance_is = [&](const Instance& instance) {
+    return projector.is_below_a_pixel(to_affine(instance.transform), corners_of(scene.meshes[instance.mesh]));
+  };
+  const auto quadric_is = [&](const Quadric& quadric) {
+    return projector.is_below_a_pixel(to_affine(quadric.transform), corners_of_box({-1, -1, -1}, {1, 1, 1}));
+  };
+  return std::ranges::any_of(scene.instances, instance_is) || std::ranges::any_of(scene.quadrics, quadric_is);
 }
 
 std::string why_too_small(const Stage& stage, const View& view) {

@@ -31,6 +31,15 @@ Affine moved_from_rest(const Model& model, const NodeAnimation& animation, std::
   return model.tree.at(animation, node, seconds) * inverse(model.tree.at_rest(node));
 }
 
+std::vector<Vector> corners_of_box(const Vector& low, const Vector& high) {
+  std::vector<Vector> corners;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const auto side = [&](std::size_t axis) { return (corner >> axis & 1) != 0 ? high[axis] : low[axis]; };
+    corners.push_back({side(0), side(1), side(2)});
+  }
+  return corners;
+}
+
 std::vector<Vector> corners_of(const Mesh& mesh) {
   Vector low{}, high{};
   const std::array<Fixed, 3> centre{mesh.centre.x, mesh.centre.y, mesh.centre.z};
@@ -44,12 +53,7 @@ std::vector<Vector> corners_of(const Mesh& mesh) {
       high[axis] = i == 0 ? at : std::max(high[axis], at);
     }
   }
-  std::vector<Vector> corners;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const auto side = [&](std::size_t axis) { return (corner >> axis & 1) != 0 ? high[axis] : low[axis]; };
-    corners.push_back({side(0), side(1), side(2)});
-  }
-  return corners;
+  return corners_of_box(low, high);
 }
 
 Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimation& animation) {
@@ -79,15 +83,11 @@ Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimat
     std::size_t chain = 1;
     for (std::size_t at = joint.parent; at != kNoSourceJoint; at = model.joint_nodes[at].parent) ++chain;
     longest = std::max(longest, chain);
-    std::vector<Vector> corners;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const auto side = [&](unsigned axis) { return (corner >> axis & 1) != 0 ? joint.reach : -joint.reach; };
-      corners.push_back({side(0), side(1), side(2)});
-    }
+    const double reach = joint.reach;
     motions.push_back(
         {.instance = static_cast<std::uint16_t>(i),
          .at = [&model, &animation, i](double seconds) { return local_of(model, i, &animation, seconds); },
-         .corners = std::move(corners)});
+         .corners = corners_of_box({-reach, -reach, -reach}, {reach, reach, reach})});
   }
   return fit_animation(motions, animation.duration, key_times(animation),
                        kAnimationTolerance / static_cast<double>(longest));

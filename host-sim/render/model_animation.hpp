@@ -18,6 +18,8 @@ Result<const NodeAnimation*> find_animation(const Model& model, const std::optio
 /// Returns the map from a moved instance's place at rest to its place at this time, in the file's units.
 Affine moved_from_rest(const Model& model, const NodeAnimation& animation, std::int32_t node, double seconds);
 
+/// Returns the eight corners of a box.
+std::vector<Vector> corners_of_box(const Vector& low, const Vector& high);
 /// Returns the eight corners of the box around a mesh, in object space.
 std::vector<Vector> corners_of(const Mesh& mesh);
 

@@ -65,5 +65,31 @@ TEST_F(Command, EmptyPicturesSayWhy) {
   EXPECT_EQ(zstrip({"render", "opaque.gltf", "--show", "error", "-o", "one.png", "--quiet"}).err, "");
 }
 
+/// The camera was said not to see it.
+TEST_F(Command, WhatIsSmallerThanAPixelIsCalledSo) {
+  file("cube.obj", cube_obj());
+  file("dot.toml",
+       "[[material]]\nname = 'a'\n[[ellipsoid]]\nmaterial = 'a'\nradius = 0.001\ntranslation = [1, 0, 0]\n"
+       "[[ellipsoid]]\nmaterial = 'a'\nradius = 0.001\n[camera]\nlook_at = [0.5, 0, 0]\nr = 30\n");
+  const std::vector<std::string> far{"render", "cube.obj", "-o", "a.png", "--quiet", "--orbit"};
+  const auto said = [&](const std::vector<std::string>& arguments, const std::string& words) {
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.err.find("zstrip: warning: no pixel was drawn: " + words), std::string::npos) << outcome.err;
+  };
+  const auto with = [](std::vector<std::string> arguments, std::initializer_list<const char*> more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  const std::string small = "what the camera sees is smaller than a pixel; bring it nearer",
+                    out = "the camera does not";
+  said(with(far, {"2000,0,45"}), small);
+  said(with(far, {"2000,0,45", "--ortho"}), small);
+  said(with(far, {"2000,0,45", "--look-at", "5000,0,0"}), out);
+  said({"render", "dot.toml", "-o", "a.png", "--quiet"}, small);
+  said({"render", "cube.obj", "-o", "a.png", "--quiet", "--eye", "0,0,4", "--look-at", "0,0,8"}, out);
+  said({"render", "cube.obj", "-o", "a.png", "--quiet", "--eye", "0.1,0,0", "--look-at", "0,0,0"}, out);
+}
+
 }  // namespace
 }  // namespace zstrip::sim::test
