@@ -217,7 +217,9 @@ TEST_F(GltfReader, DamageIsNamed) {
            {R"("indices":1)", R"("indices":9)", "accessor 9 is missing or damaged"},
            {R"("indices":1)", R"("indices":0)", "accessor 0 has no unsigned integers"},
            {R"("mesh":0)", R"("mesh":1)", "there is no mesh 1"},
-           {R"({"mesh":0})", R"({"mesh":0,"children":[0]})", "node 0 has two parents"},
+           {R"({"mesh":0})", R"({"mesh":0,"children":[0]})", "node 0 is its own child"},
+           {R"({"mesh":0})", R"({"mesh":0,"children":[1,1]},{})", "node 0 has the child 1 twice"},
+           {R"({"mesh":0})", R"({"mesh":0,"children":[1]},{"children":[2]},{"children":[0]})", "is its own ancestor"},
            {R"({"mesh":0})", R"({"mesh":0},{"children":[2]},{"children":[1]})", "node 1 is its own ancestor"},
            {R"({"mesh":0})", R"({"mesh":0,"children":[5]})", "node 0 has a child that does not exist"},
            {R"("nodes":[0])", R"("nodes":[3])", "its scene has a node that does not exist"},
@@ -225,6 +227,60 @@ TEST_F(GltfReader, DamageIsNamed) {
            {R"("version":"2.0")", R"("version":"3.0")", "version of glTF that is not known"},
            {R"("version":"2.0")", R"("generator":"x")", "asset.version is missing"}}) {
     EXPECT_NE(failure(changed(from, to)).find(mention), std::string::npos) << to << ": " << failure(changed(from, to));
+  }
+}
+
+/// It was drawn without a word.
+TEST_F(GltfReader, DamageThatLeavesAPictureIsAWarning) {
+  GltfData data;
+  data.add_floats(kCorners, "VEC3");
+  const std::string good = triangle(data, R"("POSITION":0)"), node = R"({"mesh":0})";
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string primitive = R"("attributes":{"POSITION":0})";
+  EXPECT_TRUE(source("good.gltf", good).warnings.empty());
+  for (const auto& [text, warning] : std::vector<std::pair<std::string, std::string>>{
+           {with(R"("scene":0)", R"("scene":5)"), "scene 5 does not exist: the first one is drawn"},
+           {with(node, R"({"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"translation":[9,0,0]})"),
+            "1 node drawn by the matrix alone: translation, rotation and scale beside it are left out"},
+           {with(primitive, primitive + R"(,"material":7)"),
+            "1 part of meshes drawn without material: theirs does not exist"},
+           {with(R"("meshes")", R"("materials":[{"name":"leaf","alphaMode":"Blend"}],"meshes")"),
+            "material 'leaf' drawn opaque: its alphaMode 'Blend' is none of OPAQUE, MASK and BLEND"},
+           {with(R"("meshes")", R"("textures":[{"sampler":0}],"meshes")"),
+            "1 texture repeated: the sampler does not exist"},
+           {with(R"("meshes")", R"("samplers":[{"wrapS":10497,"wrapT":1}],"meshes")"),
+            "1 sampler taken as repeating: the wrap does not exist"},
+           {with(R"("meshes")", R"("animations":[{"channels":[{"target":{"node":0,"path":"Scale"}}]}],"meshes")"),
+            "1 channel of animations left out: the path does not exist"},
+           {with(node, R"({"mesh":0,"camera":0})"),
+            "1 camera left out: neither perspective nor orthographic, or not in the file"}}) {
+    const SourceModel model = source("damaged.gltf", text);
+    EXPECT_EQ(places(model), kTriangle) << warning;
+    EXPECT_EQ(model.warnings, std::vector{warning});
+    EXPECT_TRUE(model.cameras.empty());
+  }
+}
+
+TEST_F(GltfReader, WrongLengthsOfAGlbAreSaid) {
+  GltfData data;
+  data.add_floats(kCorners, "VEC3");
+  const std::string json =
+      gltf_of(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)" + data.json(""));
+  const std::string whole = glb_of(json, data.bytes());
+  EXPECT_TRUE(source("whole.glb", whole).warnings.empty());
+  EXPECT_TRUE(source("behind.glb", whole + "12345").warnings.empty()) << "bytes behind the last chunk do no harm";
+  for (const int change : {-40, -4, 4, 100}) {
+    std::string wrong = whole;
+    const std::size_t length = whole.size() + static_cast<std::size_t>(change);
+    for (std::size_t i = 0; i < 4; ++i) wrong[8 + i] = static_cast<char>(length >> 8 * i);
+    const SourceModel model = source("wrong.glb", wrong);
+    EXPECT_EQ(places(model), kTriangle);
+    ASSERT_EQ(model.warnings.size(), 1U) << change;
+    EXPECT_EQ(model.warnings[0], "its header says " + std::to_string(length) + " bytes and it has " +
+                                     std::to_string(whole.size()) + "; export it again");
   }
 }
 

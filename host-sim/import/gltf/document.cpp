@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "text/number.hpp"
 #include "text/text.hpp"
 
 namespace zstrip::sim {
@@ -83,14 +84,23 @@ Result<GltfDocument> parse_gltf(std::span<const std::uint8_t> file) {
   document.version = static_cast<int>(std::min<std::uint32_t>(word_at(file, 4), 9));
   if (document.version != 2) return document;
   std::span<const std::uint8_t> rest = file.subspan(kHeaderBytes);
+  // Bytes behind the last chunk do no harm.
+  const std::size_t length = word_at(file, 8);
+  const auto note_end = [&] {
+    if (!document.warnings.empty() || (length <= file.size() && file.size() - rest.size() <= length)) return;
+    document.warnings.push_back(fmt::format("its header says {} and it has {}; export it again",
+                                            counted(length, "byte"), grouped(file.size())));
+  };
   const auto first = take_chunk(rest);
   if (!first) return first.failure();
   if (first->first != kJsonChunk) return gltf_damaged("its first chunk is not JSON");
   if (const Result<Done> parsed = parse_json(first->second, document); !parsed) return parsed.failure();
+  note_end();
   while (rest.size() >= kChunkBytes && !document.binary) {
     const auto chunk = take_chunk(rest);
     if (!chunk) return chunk.failure();
     if (chunk->first == kBinaryChunk) document.binary.emplace(chunk->second.begin(), chunk->second.end());
+    note_end();
   }
   return document;
 }

@@ -22,6 +22,7 @@ struct GltfDocument {  // NOLINT(bugprone-exception-escape)
   GltfJson json;
   std::optional<std::vector<std::uint8_t>> binary;  ///< the second chunk of a .glb
   int version = 2;                                  ///< the first number of asset.version
+  std::vector<std::string> warnings;                ///< damage that leaves a readable file
 };
 
 /// Parses a .gltf or .glb. The failure's message is a reason, later shown in brackets ("ends in the middle of ...").

@@ -76,11 +76,17 @@ void read_gltf_lights(const GltfJson& json, const GltfNodes& nodes, SourceModel&
 }
 
 void read_gltf_cameras(const GltfJson& json, const GltfNodes& nodes, SourceModel& model) {
+  std::size_t others = 0;
   for (const std::size_t node : nodes.in_scene()) {
     const GltfJson& from = element(member(json, "nodes"), node);
     const std::optional<std::size_t> index = index_in(from, "camera");
     if (!index) continue;
     const GltfJson& camera = element(member(json, "cameras"), *index);
+    const std::string type = text_in(camera, "type");
+    if (type != "perspective" && type != "orthographic") {
+      ++others;
+      continue;
+    }
     const Affine& world = nodes.world(node);
     SourceCamera read{.name = text_in(from, "name"),
                       .other_name = text_in(camera, "name"),
@@ -90,7 +96,7 @@ void read_gltf_cameras(const GltfJson& json, const GltfNodes& nodes, SourceModel
     if (read.name.empty()) std::swap(read.name, read.other_name);
     if (read.name.empty()) read.name = fmt::format("nodes[{}]", node);
     if (!is_place(read.eye) || read.towards == Vector{}) continue;
-    read.orthographic = text_in(camera, "type") == "orthographic";
+    read.orthographic = type == "orthographic";
     if (read.orthographic) {
       read.half_height = std::abs(number_in(member(camera, "orthographic"), "ymag", 1));
       if (!(read.half_height > 0)) continue;
@@ -99,6 +105,10 @@ void read_gltf_cameras(const GltfJson& json, const GltfNodes& nodes, SourceModel
       read.field_of_view = angle * 180 / std::numbers::pi;
     }
     model.cameras.push_back(read);
+  }
+  if (others > 0) {
+    model.warnings.push_back(fmt::format("{} left out: neither perspective nor orthographic, or not in the file",
+                                         counted(others, "camera")));
   }
 }
 

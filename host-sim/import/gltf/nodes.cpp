@@ -56,14 +56,20 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
         return gltf_damaged(fmt::format("node {} has a child that does not exist", i));
       }
       std::optional<std::size_t>& parent = read.nodes_[*child].parent;
-      if (parent || *child == i) return gltf_damaged(fmt::format("node {} has two parents", *child));
+      if (parent == i) return gltf_damaged(fmt::format("node {} has the child {} twice", i, *child));
+      if (parent) return gltf_damaged(fmt::format("node {} has two parents", *child));
       parent = i;
       read.nodes_[i].children.push_back(*child);
     }
   }
-  // Without scenes all roots are shown; without a default scene the first one.
+  if (const std::optional<std::size_t> node = read.node_in_a_circle()) {
+    return gltf_damaged(
+        fmt::format("node {} is its own {}", *node, read.nodes_[*node].parent == node ? "child" : "ancestor"));
+  }
+  // Without scenes all roots are shown; without a default scene that exists the first one.
   if (count_of(json, "scenes") > 0) {
-    const GltfJson& scene = element(member(json, "scenes"), index_in(json, "scene").value_or(0));
+    const std::size_t chosen = index_in(json, "scene").value_or(0);
+    const GltfJson& scene = element(member(json, "scenes"), chosen < count_of(json, "scenes") ? chosen : 0);
     const GltfJson& roots = member(scene, "nodes");
     std::vector<bool> listed(read.nodes_.size());
     for (std::size_t k = 0; k < count_of(scene, "nodes"); ++k) {
@@ -83,7 +89,7 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
       if (!read.nodes_[i].parent) read.roots_.push_back(i);
     }
   }
-  // Joints may be outside of the scene: they have positions, too. Nodes in a circle are under no root.
+  // Joints may be outside of the scene: they have positions, too.
   std::vector<bool> seen(read.nodes_.size());
   const auto walk = [&](std::size_t root, bool in_scene) {
     std::vector<std::size_t> open{root};
@@ -103,10 +109,18 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
   for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
     if (!read.nodes_[i].parent) walk(i, false);
   }
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!seen[i]) return gltf_damaged(fmt::format("node {} is its own ancestor", i));
-  }
   return read;
+}
+
+std::optional<std::size_t> GltfNodes::node_in_a_circle() const {
+  // The walk towards the root that came to each node; walks end where another one has been.
+  std::vector<std::optional<std::size_t>> walks(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    std::optional<std::size_t> at = i;
+    for (; at && !walks[*at]; at = nodes_[*at].parent) walks[*at] = i;
+    if (at && walks[*at] == i) return at;
+  }
+  return std::nullopt;
 }
 
 void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn, SourceModel& model) {

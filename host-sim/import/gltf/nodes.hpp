@@ -35,6 +35,9 @@ class GltfNodes {
   void set_moved(const std::set<std::size_t>& moved, const Affine& turn, SourceModel& model);
 
  private:
+  /// Returns a node that is its own ancestor, if there is one.
+  std::optional<std::size_t> node_in_a_circle() const;
+
   struct Place {
     Affine local, world;
     std::optional<Placement> parts;  ///< of `local`, unless the file has a matrix

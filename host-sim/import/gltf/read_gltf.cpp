@@ -4,6 +4,7 @@
 #include "import/gltf/accessors.hpp"
 #include "import/gltf/animations.hpp"
 #include "import/gltf/buffers.hpp"
+#include "import/gltf/damage.hpp"
 #include "import/gltf/extensions.hpp"
 #include "import/gltf/lights_and_cameras.hpp"
 #include "import/gltf/materials.hpp"
@@ -21,6 +22,8 @@ Result<SourceModel> read_gltf(const GltfDocument& document, const ReadUri& read_
     return unreadable_model(checked.failure().message);
   }
   SourceModel model;
+  model.warnings = document.warnings;
+  warn_of_gltf_damage(json, model.warnings);
   if (const Result<Done> known = check_gltf_extensions(json, model.warnings); !known) return known.failure();
   GltfBuffers buffers(document, read_uri);
   GltfAccessors accessors(document, buffers);
