@@ -26,6 +26,15 @@ std::vector<std::string> names_of_options(const CLI::App& app) {
   return names;
 }
 
+/// Returns the names of the commands that have this option, with "and" between them.
+std::string commands_with(const CLI::App& app, const std::string& option) {
+  std::vector<std::string> names;
+  for (const CLI::App* const command : app.get_subcommands({})) {
+    if (command->get_option_no_throw(option) != nullptr) names.push_back(command->get_name());
+  }
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
 /// Returns the first unknown option of the words that were not parsed, or else the unknown command; empty if there is
 /// none.
 std::string unknown(const CLI::App& app, const CLI::App& chosen) {
@@ -37,6 +46,9 @@ std::string unknown(const CLI::App& app, const CLI::App& chosen) {
   const std::vector<std::string> names = option == left.end() ? names_of_commands(app) : names_of_options(chosen);
   if (std::ranges::find(names, word) != names.end())
     return fmt::format("'{}' stands behind '--', the end of all options", word);
+  if (const std::string others = commands_with(app, word); option != left.end() && !others.empty()) {
+    return fmt::format("'{}' is an option of {}; {} has none of that name", word, others, chosen.get_name());
+  }
   const std::vector<std::string_view> known(names.begin(), names.end());
   return fmt::format("'{}' is unknown, did you mean {}?", word, nearest_name(word, known));
 }

@@ -78,12 +78,14 @@ FileFog read_fog(TomlTable& table) {
   fog.end = table.number("end", kPositive).value_or(0);
   fog.density = table.number("density", {0, kLength.high}).value_or(0);
   const bool linear = fog.mode == FogMode::linear;
+  if (linear && table.has("density")) table.wrong("density", "'density' goes with the exponential modes");
+  if (linear && !table.has("density") && !table.has("end"))
+    table.wrong("end", "'end' is missing, the distance where all is fog");
   if (linear && fog.end <= fog.start) table.wrong("end", "'end' must be greater than 'start': all is fog there");
   if (!linear && !table.has("density")) table.wrong("density", "'density' is missing");
   for (const char* key : {"start", "end"}) {
     if (!linear && table.has(key)) table.wrong(key, fmt::format("'{}' goes with mode = \"linear\"", key));
   }
-  if (linear && table.has("density")) table.wrong("density", "'density' goes with the exponential modes");
   table.finish();
   return fog;
 }

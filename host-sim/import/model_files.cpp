@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "image/inputs.hpp"
-#include "import/assimp/obj_text.hpp"
 #include "import/assimp/stl_text.hpp"
 #include "import/ending.hpp"
 #include "import/find_file.hpp"
@@ -104,9 +104,13 @@ std::string ModelFiles::plain(const std::string& file, std::string text) {
   if (ending == ".raw") return without_groups(text);
   if (ending == ".stl") return plain_stl(std::move(text));
   if (ending != ".obj") return text;
-  if (file != model_) return plain_mtl(text, of_blender_, read_.warnings);
+  if (file != model_) return plain_mtl(text, of_blender_, read_.warnings, read_.materials.defined);
   of_blender_ = is_of_blender(text);
-  return plain_obj(text);
+  const auto is_file = [this](std::string_view name) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(find_file(model_.parent_path(), std::string(name)), ignored);
+  };
+  return plain_obj(text, is_file, read_.materials.used);
 }
 
 Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "import/assimp/obj_text.hpp"
+
 namespace zstrip::sim {
 
 /// Returns text in UTF-8 without a byte order mark: text with a mark of UTF-16 is converted, and invalid characters
@@ -19,6 +21,7 @@ std::string as_utf8(std::string_view text);
 struct FilesRead {
   std::vector<std::string> not_opened;
   std::vector<std::string> warnings;
+  ObjMaterials materials;
 };
 
 /// Text is converted by as_utf8, because Assimp's readers take a byte order mark for the first word of a line. OBJ, its

@@ -41,6 +41,12 @@ bool is_archive(const std::filesystem::path& path) {
   return std::ranges::find(kEndings, ending_of(path)) != std::end(kEndings);
 }
 
+/// True for what zstrip bake writes, but for blobs.
+bool is_for_firmware(const std::filesystem::path& path) {
+  constexpr std::string_view kEndings[] = {".uf2", ".hpp", ".h", ".ino", ".cpp"};
+  return std::ranges::find(kEndings, ending_of(path)) != std::end(kEndings);
+}
+
 /// Returns a function that finds buffers and pictures next to the file.
 ReadUri reader_beside(const std::filesystem::path& folder) {
   return [folder](const std::string& uri) -> Result<std::vector<std::uint8_t>> {
@@ -72,6 +78,11 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
   };
   if (const Result<Done> readable = check_readable(path); !readable) return named(readable.failure().message);
   if (is_archive(path)) return named("is an archive; unpack it first, and name the model in it");
+  if (is_for_firmware(path)) {
+    return named(
+        "is what zstrip bake writes for firmware, which is not read; name the scene of which it was made, or "
+        "bake a .zsc");
+  }
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(path, error);
   if (error) return named("cannot be read: " + error.message());

@@ -180,6 +180,15 @@ TEST_F(BadInput, AddressesAndArchivesAreNoModels) {
   expect_failure(ExitStatus::input, "line 3: 'duck.zip' is an archive; unpack it first", {"render", "scene.toml"});
 }
 
+/// A reader of models was asked about them.
+TEST_F(BadInput, WhatIsBakedForFirmwareIsNoModel) {
+  for (const char* name : {"m.uf2", "m.hpp", "M.INO"}) {
+    file(name, "UF2\n");
+    expect_failure(ExitStatus::input, std::string(name) + "' is what zstrip bake writes for firmware",
+                   {"render", name, "-o", "a.png"});
+  }
+}
+
 TEST_F(BadInput, MisspeltBuiltInSceneIsToldTheNearest) {
   expect_failure(ExitStatus::input,
                  "there is no file 'tepot', and no built-in scene of that name; did you mean 'teapot'?",
@@ -254,6 +263,8 @@ TEST_F(BadInput, Options) {
   usage("frobnicate", {"frobnicate"});
   usage("'rendr' is unknown, did you mean render?; see 'zstrip --help'", {"rendr", "teapot"});
   usage("'--sise' is unknown, did you mean --size?; see 'zstrip render --help'", {"render", "teapot", "--sise", "3x3"});
+  usage("'--up' is an option of render and bake; plan has none of that name", {"plan", "teapot", "--up", "z"});
+  usage("'--turntable' is an option of bake; render has none", {"render", "teapot", "--turntable"});
   usage("'--smaples' is unknown, did you mean --samples?", {"render", "teapot", "--smaples=4"});
   usage("'--size' stands behind '--', the end of all options", {"render", "teapot", "--", "--size", "3x3"});
   usage("'--size' stands behind '--', the end of all options", {"render", "--", "teapot", "--size", "3x3"});

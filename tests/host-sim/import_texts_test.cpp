@@ -98,6 +98,46 @@ TEST_F(Import, LinesOfMtlThatAreNotKnownAreSkipped) {
   }
 }
 
+/// Files with comments behind faces were refused, and of several files of materials in a line none was found.
+TEST_F(Import, CommentsBehindNumbersAndSeveralFilesOfMaterialsAreRead) {
+  file("a.mtl", "newmtl a\nKd 1 0 0\n");
+  file("b.mtl", "newmtl b\nKd 0 1 0\n");
+  file("two words.mtl", "newmtl a\nKd 0 0 1\n");
+  const std::string square =
+      "v 0 0 0 # a corner\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1 # ahead\nusemtl a\ns off # flat\n"
+      "f 1//1 2//1 3//1 4//1 # quad\nusemtl b\nf 4//1 3//1 2//1 1//1#back\nl 1 3 # line\n";
+  const Model both = model(file("both.obj", "mtllib a.mtl  b.mtl # ours\n" + square));
+  EXPECT_EQ(triangles(both).size(), 4U);
+  EXPECT_TRUE(both.warnings.empty()) << both.warnings[0];
+  const auto colour_of = [](const Model& model, const std::string& name) {
+    const auto at = std::ranges::find(model.material_names, name);
+    return at == model.material_names.end()
+               ? Colour{}
+               : model.materials[static_cast<std::size_t>(at - model.material_names.begin())].colour;
+  };
+  EXPECT_EQ(colour_of(both, "a"), (Colour{255, 0, 0, 255}));
+  EXPECT_EQ(colour_of(both, "b"), (Colour{0, 255, 0, 255}));
+  const Model words = model(file("words.obj", "mtllib two words.mtl\n" + square));
+  EXPECT_EQ(colour_of(words, "a"), (Colour{0, 0, 255, 255}));
+  const Model half = model(file("half.obj", "mtllib a.mtl gone.mtl\n" + square));
+  ASSERT_EQ(half.warnings.size(), 1U);
+  EXPECT_NE(half.warnings[0].find("gone.mtl' cannot be opened"), std::string::npos) << half.warnings[0];
+}
+
+/// They were drawn in grey without a word.
+TEST_F(Import, MaterialsOfObjThatAreNotDefinedAreSaid) {
+  file("m.mtl", "newmtl a\nKd 1 0 0\n");
+  const std::string begin = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+  for (const auto& [more, warning] : std::vector<std::pair<std::string, std::string>>{
+           {"usemtl b\n", ""},
+           {"usemtl b\nf 3 2 1\n", "material 'b' is not defined; what uses it is drawn without"},
+           {"usemtl c\nf 3 2 1\nusemtl b\nf 1 2 3\n",
+            "material 'b' and 1 more are not defined; what uses them is drawn without"}}) {
+    const Model read = model(file("m.obj", begin + more));
+    EXPECT_EQ(read.warnings, warning.empty() ? std::vector<std::string>{} : std::vector{warning});
+  }
+}
+
 /// Of several groups one was read, and pointers to nothing followed.
 TEST_F(Import, GroupsOfRaw) {
   const Model model = this->model(file("groups.RAW",

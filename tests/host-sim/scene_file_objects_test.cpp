@@ -30,6 +30,16 @@ TEST(SceneFile, PointLightOnAnEllipsoid) {
   EXPECT_EQ(parsed("[[material]]\nname = 'a'\nlit = false\n" + ellipsoid + light).ellipsoids.size(), 1U);
 }
 
+/// It was told that 'end' is less than 'start'.
+TEST(SceneFile, FogWithoutItsEnd) {
+  EXPECT_EQ(failure(kCube + "[fog]\nstart = 2\n"),
+            "'scene.toml' line 6: [fog]: 'end' is missing, the distance where all is fog");
+  EXPECT_EQ(failure(kCube + "[fog]\ndensity = 0.1\n"),
+            "'scene.toml' line 7: [fog]: 'density' goes with the exponential modes");
+  EXPECT_EQ(failure(kCube + "[fog]\nstart = 2\nend = 1\n"),
+            "'scene.toml' line 8: [fog]: 'end' must be greater than 'start': all is fog there");
+}
+
 const std::string kWire = "[[material]]\nname = 'w'\n";  // 2 lines
 
 TEST(SceneFile, LinesAndPoints) {

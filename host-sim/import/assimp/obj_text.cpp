@@ -79,6 +79,23 @@ std::string with_joined_lines(std::string_view text) {
   return joined;
 }
 
+/// Appends the names of files after `mtllib`, each on a line of its own. A name that is no file may be several.
+void append_libraries(std::string& to, std::string_view names, const std::function<bool(std::string_view)>& is_file) {
+  std::vector<std::string_view> words;
+  std::string_view rest = names;
+  for (std::string_view word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
+    words.push_back(word);
+  }
+  if (is_file(names) || std::ranges::none_of(words, is_file)) words = {names};
+  for (const std::string_view word : words) to += fmt::format("mtllib {}\n", word);
+}
+
+/// True for lines of numbers alone, in which a comment may follow. Names may have a #.
+bool is_of_numbers(std::string_view key) {
+  constexpr std::array<std::string_view, 5> kKeys{"vn", "f", "l", "p", "s"};
+  return std::ranges::find(kKeys, key) != kKeys.end();
+}
+
 /// x y z, x y z w, x y z r g b or x y z r g b a.
 using VertexWords = std::array<std::string_view, 7>;
 
@@ -138,10 +155,12 @@ bool is_of_blender(std::string_view text) {
   return false;
 }
 
-std::string plain_obj(std::string_view from) {
+std::string plain_obj(std::string_view from, const std::function<bool(std::string_view)>& is_file,
+                      std::set<std::string>& used) {
   const std::string joined = with_joined_lines(from);
   std::string_view text = joined;
   const bool coloured = has_coloured_vertices(text);
+  std::string_view material;
   std::string plain;
   plain.reserve(text.size() + text.size() / 8);
   while (!text.empty()) {
@@ -156,9 +175,16 @@ std::string plain_obj(std::string_view from) {
       const std::span<const std::string_view> found = take_words(rest, words);
       append(plain, key, found);
       plain += found.size() == 1 ? " 0\n" : "\n";
+    } else if (key == "mtllib") {
+      append_libraries(plain, trimmed(rest), is_file);
     } else {
-      plain += line;
+      plain += is_of_numbers(key) ? line.substr(0, line.find('#')) : line;
       plain += '\n';
+    }
+    if (key == "usemtl") material = trimmed(rest);
+    if ((key == "f" || key == "l" || key == "p") && !material.empty()) {
+      used.emplace(material);
+      material = {};
     }
   }
   return plain;
@@ -213,7 +239,8 @@ void warn(const MtlMaterial& material, std::vector<std::string>& warnings) {
 
 }  // namespace
 
-std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings) {
+std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings,
+                      std::set<std::string>& defined) {
   linear = linear || is_of_blender(text);
   std::string plain;
   std::optional<MtlMaterial> material;
@@ -229,6 +256,7 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     if (key == "newmtl") {
       finish();
       material = MtlMaterial{.name = rest, .texture = {}, .illumination = {}, .colour = {}};
+      defined.emplace(rest);
     }
     if (!material) continue;
     if (key == "kd") {

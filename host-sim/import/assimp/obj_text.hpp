@@ -1,6 +1,8 @@
 // Converts OBJ and its materials to a form that Assimp 5.2 reads correctly.
 #pragma once
 
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,13 +15,21 @@ bool is_of_blender(std::string_view text);
 /// The colour of a vertex without one, in a file where other vertices have one.
 inline constexpr float kNoColour = -1;
 
+/// Names of an OBJ file's materials.
+struct ObjMaterials {
+  std::set<std::string> used, defined;
+};
+
 /// In the result all vertices have 3 or 4 numbers, or all have 3 and a colour. Texture coordinates have 2 or 3. Numbers
-/// have a leading zero, names no spaces after them.
-std::string plain_obj(std::string_view from);
+/// have a leading zero, and no comment after them, names no spaces after them. Each file of materials has a line of its
+/// own: `is_file` says if there is a file of this name. Materials of faces and lines are added to `used`.
+std::string plain_obj(std::string_view from, const std::function<bool(std::string_view)>& is_file,
+                      std::set<std::string>& used);
 
 /// Returns an MTL with only the lines that are drawn: names, diffuse colours and textures, illumination. Assimp refuses
 /// a file for some of the others. `linear`: diffuse colours are linear; otherwise is_of_blender() decides. Without a
-/// colour a texture is shown unchanged. Warnings are added to `warnings`.
-std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings);
+/// colour a texture is shown unchanged. Warnings are added to `warnings`, the names to `defined`.
+std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings,
+                      std::set<std::string>& defined);
 
 }  // namespace zstrip::sim

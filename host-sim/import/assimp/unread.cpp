@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <sstream>
+#include <vector>
 
 #include "import/ending.hpp"
 #include "text/number.hpp"
@@ -33,10 +36,17 @@ std::uint64_t edges_of_ply(const std::filesystem::path& path) {
 void warn_of_unread(const std::filesystem::path& path, const FilesRead& files, SourceModel& model) {
   const std::string ending = ending_of(path);
   model.warnings.insert(model.warnings.end(), files.warnings.begin(), files.warnings.end());
+  // In both cases Assimp guesses the material.
+  std::vector<std::string> undefined;
+  std::ranges::set_difference(files.materials.used, files.materials.defined, std::back_inserter(undefined));
   if (ending == ".obj" && !files.not_opened.empty()) {
-    // Assimp guesses the material.
     model.warnings.push_back(fmt::format("materials '{}' cannot be opened; what uses them is drawn without",
                                          printable(files.not_opened.front())));
+  } else if (!undefined.empty()) {
+    model.warnings.push_back(
+        fmt::format("material '{}'{} not defined; what uses {} is drawn without", printable(undefined.front()),
+                    undefined.size() == 1 ? " is" : fmt::format(" and {} more are", undefined.size() - 1),
+                    undefined.size() == 1 ? "it" : "them"));
   }
   const std::uint64_t edges = ending == ".ply" ? edges_of_ply(path) : 0;
   if (edges > 0) {
