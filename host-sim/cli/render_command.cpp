@@ -21,6 +21,7 @@
 #include "cli/print.hpp"
 #include "cli/scene_drawer.hpp"
 #include "image/animated_png.hpp"
+#include "image/inputs.hpp"
 #include "image/write_file.hpp"
 #include "render/empty_picture.hpp"
 #include "render/parallel.hpp"
@@ -50,6 +51,7 @@ struct RenderCommandLine {
 struct Job {
   Drawing drawing;
   OutputNames outputs;
+  std::string report;  ///< the argument of --json, or empty
   unsigned threads = 1;
 };
 
@@ -77,7 +79,7 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   if (const Result<Done> distinct = check_distinct(*outputs, arguments.json); !distinct) return distinct.failure();
   const unsigned threads =
       arguments.threads ? *arguments.threads : std::clamp(std::thread::hardware_concurrency(), 1U, kMaxThreads);
-  return Job{std::move(*drawing), std::move(*outputs), threads};
+  return Job{std::move(*drawing), std::move(*outputs), arguments.json.value_or(""), threads};
 }
 
 /// Returns the reason why nothing of the scene is visible, or nearly nothing of a model; empty if it is visible.
@@ -166,6 +168,8 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
     if (!read) return read.failure();
     sets = std::move(*read);
   }
+  // Before a picture is written.
+  if (const Result<Done> checked = check_no_input(job.report, "--json"); !checked) return checked.failure();
   // Each frame begins with the visible meshlets of the frame before.
   const unsigned threads = drawing.visibility.temporal ? 1 : std::min(job.threads, job.outputs.frames);
   const unsigned strip_threads = job.outputs.frames == 1 ? job.threads : 1;
