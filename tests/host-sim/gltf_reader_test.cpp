@@ -279,7 +279,7 @@ TEST_F(GltfReader, WrongLengthsOfAGlbAreSaid) {
     const SourceModel model = source("wrong.glb", wrong);
     EXPECT_EQ(places(model), kTriangle);
     ASSERT_EQ(model.warnings.size(), 1U) << change;
-    EXPECT_EQ(model.warnings[0], "its header says " + std::to_string(length) + " bytes and it has " +
+    EXPECT_EQ(model.warnings[0], "the header of the .glb says " + std::to_string(length) + " bytes, and the file has " +
                                      std::to_string(whole.size()) + "; export it again");
   }
 }

@@ -88,7 +88,7 @@ Result<GltfDocument> parse_gltf(std::span<const std::uint8_t> file) {
   const std::size_t length = word_at(file, 8);
   const auto note_end = [&] {
     if (!document.warnings.empty() || (length <= file.size() && file.size() - rest.size() <= length)) return;
-    document.warnings.push_back(fmt::format("its header says {} and it has {}; export it again",
+    document.warnings.push_back(fmt::format("the header of the .glb says {}, and the file has {}; export it again",
                                             counted(length, "byte"), grouped(file.size())));
   };
   const auto first = take_chunk(rest);
