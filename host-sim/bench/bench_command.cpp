@@ -80,7 +80,7 @@ std::string no_model_on(std::string_view workload, const std::string& target, st
   if (board.empty())
     return fmt::format("{} is for --target host, m0, m3, m4f and m7; {} has no program for it", workload, target);
   std::string boards;
-  for (const BoardModel& other : board_models()) {
+  for (const BoardModel& other : boards_with_core_model()) {
     if (!draws_models(other.target)) continue;
     if (!boards.empty()) boards += ", ";
     boards += other.name;
@@ -327,7 +327,7 @@ std::vector<std::string> workload_names() {
 
 std::vector<std::string> board_names() {
   std::vector<std::string> names;
-  for (const BoardModel& board : board_models()) names.emplace_back(board.name);
+  for (const BoardModel& board : boards_with_core_model()) names.emplace_back(board.name);
   return names;
 }
 

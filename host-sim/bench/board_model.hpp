@@ -9,27 +9,34 @@
 
 namespace zstrip::sim {
 
+/// Cycles of a core for each instruction that `zstrip plan` estimates for a Cortex-M3.
+struct CyclesPerEstimate {
+  double low, high;
+};
+
 struct BoardModel {
   std::string_view name;         ///< on the command line
   std::string_view description;  ///< board and chip
-  std::string_view core;         ///< of find_core()
-  std::string_view target;       ///< target whose programs run on the board: "m0", "m3", "m4f", "m33"
+  std::string_view core{};    ///< of find_core(); empty: there is no model of the core, `zstrip bench` does not know it
+  std::string_view target{};  ///< target whose programs run on the board: "m0", "m3", "m4f", "m33"; empty: as `core`
   double core_mhz;
-  Flash flash;
+  Flash flash{};
   std::uint32_t ram_bytes;
   double spi_mhz;           ///< fastest clock with which the chip drives a display
   bool dma;                 ///< the bus sends while the core draws; without it the core waits
   std::uint32_t cores = 1;  ///< number of equal cores; one of them draws unless more are requested
-  /// Cycles of this core for each instruction that `zstrip plan` estimates for a Cortex-M3: the predicted cycles of K5M
-  /// and CT (docs/measured/performance.md, "Boards") divided by the instructions that a Cortex-M3 counts for such
-  /// plans. The value is the mean of both; each differs from it by up to a quarter.
-  double cycles_per_estimate;
+  /// With a model of the core one number: the predicted cycles of K5M and CT (docs/measured/performance.md, "Boards")
+  /// divided by the instructions that a Cortex-M3 counts for such plans. It is the mean of both; each differs from it
+  /// by up to a quarter. Without a model an assumption.
+  CyclesPerEstimate cycles_per_estimate;
 };
 
 /// RAM that arena and pixels cannot use: the renderer, other statics and the stack, rounded up from docs/memory.md.
 inline constexpr std::uint32_t kReservedRam = 4096;
 
+/// Those with a model of the core come first.
 std::span<const BoardModel> board_models();
+std::span<const BoardModel> boards_with_core_model();
 /// Returns null if there is no board of this name.
 const BoardModel* find_board(std::string_view name);
 

@@ -410,6 +410,7 @@ Result<Done> run(const Arguments& arguments) {
       return Failure{request.failure().status, fmt::format("'{}' {}", arguments.scene, request.failure().message)};
     }
   }
+  *request = with_enough_ram(at_rest, *request);
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   if (*kind == Kind::sketch || *kind == Kind::program) {

@@ -26,7 +26,7 @@ Result<Done> fit_strips_to_panel(Drawing& drawing) {
   const std::uint16_t step = row_step(*drawing.panel);
   if (step == 1) return Done{};
   if (drawing.budget.strip_rows == 0) {
-    const bool all = drawing.budget.bytes == 0;
+    const bool all = drawing.budget.bytes == 0 || drawing.ram_limit == RamLimit::usual;
     drawing.budget.strip_rows = all ? drawing.view.height : step;
   } else if (drawing.budget.strip_rows % step != 0) {
     return usage(fmt::format("--strip-rows {}: a {} takes multiples of {} rows", drawing.budget.strip_rows,
@@ -68,8 +68,7 @@ void add_drawing_options(CLI::App& command, DrawingArguments& arguments) {
           "Size of the picture, each side 1 to 4096 (default: 320x240, the panel's, or what the scene was baked for)")
       ->transform(lower_case())
       ->type_name("WxH");
-  command.add_option("--ram", a.memory.ram, "Renderer's memory at most, K and M allowed (default: no limit)")
-      ->type_name("BYTES");
+  command.add_option("--ram", a.memory.ram, kRamHelp)->type_name("BYTES");
   command.add_option("--strip-rows", a.memory.strip_rows, "Rows of a strip (default: auto, as many as fit)")
       ->transform(lower_case())
       ->type_name("N|auto");
@@ -117,8 +116,10 @@ Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSe
   } else {
     drawing.perspective = settings.perspective.value_or(Effects{});
   }
-  const Result<Done> memory = parse_memory(arguments.memory, settings, drawing.view, drawing.budget);
-  if (!memory) return memory.failure();
+  const Result<RamLimit> ram_limit = parse_memory(arguments.memory, settings, drawing.view, drawing.budget);
+  if (!ram_limit) return ram_limit.failure();
+  drawing.ram_limit = *ram_limit;
+  drawing.budget.strip_buffers = drawing.panel ? 2 : 1;
   if (drawing.panel) {
     if (const Result<Done> fitted = fit_strips_to_panel(drawing); !fitted) return fitted.failure();
   }

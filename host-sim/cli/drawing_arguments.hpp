@@ -10,6 +10,7 @@
 #include "cli/picture_arguments.hpp"
 #include "cli/visibility_arguments.hpp"
 #include "panel/simulated_panel.hpp"
+#include "plan/ram_limit.hpp"
 #include "result.hpp"
 #include "zstrip/budget.hpp"
 #include "zstrip/effects.hpp"
@@ -43,6 +44,7 @@ struct Drawing {
   std::string_view depth_given;  ///< the option that chose it, for messages
   Effects perspective;
   Budget budget;
+  RamLimit ram_limit = RamLimit::given;
   CameraOptions camera;
   VisibilityRequest visibility;
 

@@ -109,7 +109,9 @@ Result<PlanRequest> request_for_pico(const PlanRequest& request, const Staging& 
   }
   PlanRequest within = request;
   const std::uint32_t left = left_of(board, kept);
-  if (within.budget.bytes == 0 || within.budget.bytes > left) within.budget.bytes = left;
+  const bool any = within.budget.bytes == 0 || within.ram_limit == RamLimit::usual;
+  if (any || within.budget.bytes > left) within.budget.bytes = left;
+  within.ram_limit = RamLimit::given;
   PlanRequest usual = within;
   usual.budget.strip_rows = pico::kStripRows;
   return within.budget.strip_rows == 0 && best_plan(staging, usual) ? usual : within;

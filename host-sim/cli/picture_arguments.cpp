@@ -12,9 +12,12 @@
 #include "cli/parse.hpp"
 #include "render/blob_stage.hpp"
 #include "render/stage.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {
+
+constexpr std::string_view kWholePicture = "max";
 
 std::string pixels(const std::optional<std::string>& given, const std::optional<std::uint16_t>& setting) {
   if (given) return *given;
@@ -117,17 +120,22 @@ std::string_view depth_option(const std::optional<std::string>& given) {
   return given ? "--depth-format" : "'depth_format' in the scene file";
 }
 
-Result<Done> parse_memory(const MemoryArguments& arguments, const PictureSettings& settings, const View& view,
-                          Budget& budget) {
+Result<RamLimit> parse_memory(const MemoryArguments& arguments, const PictureSettings& settings, const View& view,
+                              Budget& budget) {
+  const Result<Done> strips = parse_strips(pixels(arguments.strip_rows, settings.strip_rows),
+                                           pixels(arguments.strip_columns, settings.strip_columns), view, budget);
+  if (!strips) return strips.failure();
   if (arguments.ram) {
+    if (lower(*arguments.ram) == kWholePicture) return RamLimit::given;
     const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
     if (!bytes) return bytes.failure();
     budget.bytes = *bytes;
-  } else if (settings.ram) {
-    budget.bytes = *settings.ram;
+    return RamLimit::given;
   }
-  return parse_strips(pixels(arguments.strip_rows, settings.strip_rows),
-                      pixels(arguments.strip_columns, settings.strip_columns), view, budget);
+  if (settings.ram) budget.bytes = *settings.ram;
+  if (settings.ram || budget.strip_rows != 0) return RamLimit::given;
+  budget.bytes = kUsualRam;
+  return RamLimit::usual;
 }
 
 }  // namespace zstrip::sim

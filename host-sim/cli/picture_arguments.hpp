@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "compose/scene_file.hpp"
+#include "plan/ram_limit.hpp"
 #include "result.hpp"
 #include "zstrip/budget.hpp"
 #include "zstrip/effects.hpp"
@@ -46,6 +47,11 @@ Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, 
 /// Returns the source of the depth format, for messages: the option if it is given, or the scene file's key.
 std::string_view depth_option(const std::optional<std::string>& given);
 
+/// The help of --ram.
+inline constexpr const char* kRamHelp =
+    "Bytes at most, of arena and strip buffers, K and M allowed; max: the whole picture in one strip (default: 24K, or "
+    "what the scene needs)";
+
 /// The options as given on the command line.
 struct MemoryArguments {
   std::optional<std::string> ram{};
@@ -53,7 +59,8 @@ struct MemoryArguments {
   std::optional<std::string> strip_columns{};
 };
 /// Parses into the budget of a picture of this size; also a usage error if the picture cannot be divided like that.
-Result<Done> parse_memory(const MemoryArguments& arguments, const PictureSettings& settings, const View& view,
-                          Budget& budget);
+/// Without --ram and without rows: kUsualRam.
+Result<RamLimit> parse_memory(const MemoryArguments& arguments, const PictureSettings& settings, const View& view,
+                              Budget& budget);
 
 }  // namespace zstrip::sim

@@ -18,10 +18,7 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       ->transform(lower_case())
       ->type_name("WxH");
   add_quality_options(command, a.view);
-  command
-      .add_option("--ram", a.memory.ram,
-                  "Bytes at most, of arena and strip buffers, K and M allowed (default: no limit)")
-      ->type_name("BYTES");
+  command.add_option("--ram", a.memory.ram, kRamHelp)->type_name("BYTES");
   command.add_option("--strip-buffers", a.strip_buffers, "Pixel buffers of a strip: 2 where DMA sends one meanwhile")
       ->type_name("N")
       ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{2}))
@@ -52,8 +49,9 @@ Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string
   if (!view) return view.failure();
   request.view = *view;
   request.edges = parse_edges(arguments.view, *settings);
-  const Result<Done> memory = parse_memory(arguments.memory, *settings, request.view, request.budget);
-  if (!memory) return memory.failure();
+  const Result<RamLimit> ram_limit = parse_memory(arguments.memory, *settings, request.view, request.budget);
+  if (!ram_limit) return ram_limit.failure();
+  request.ram_limit = *ram_limit;
   request.depth_format = settings->depth_format.value_or(DepthFormat::z16);
   request.perspective = settings->perspective.value_or(Effects{});
   const Result<VisibilityMethod> method =

@@ -116,6 +116,7 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
     // Only z16 can blend edges.
     if (arguments.depth_format == kChosen && !edged) request->depth = advice->need(*kept);
   }
+  *request = with_enough_ram(prepared->staging(), *request);
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();
   choice->kept = *kept;

@@ -48,7 +48,9 @@ SceneDrawer::SceneDrawer(const Drawing& drawing, std::unique_ptr<Stage> stage, c
     : drawing_(&drawing),
       stage_(std::move(stage)),
       sets_(sets),
-      renderer_(drawing.view, drawing.budget, drawing.effects(), strip_threads) {}
+      renderer_(drawing.view, drawing.budget, drawing.effects(), strip_threads) {
+  renderer_.set_ram_limit(drawing.ram_limit);
+}
 
 Result<SceneDrawer> SceneDrawer::open(const Drawing& drawing, std::unique_ptr<Stage> stage, const VisibleSetFile* sets,
                                       unsigned strip_threads) {
@@ -99,8 +101,10 @@ Result<DrawnFrame> SceneDrawer::draw(const Staging& placed, Show show) {
     drawn.report.crc32 = checksum(drawn.pixels);
     return drawn;
   }
+  // They show the whole picture in one strip, unless a limit is given.
+  const Budget shown_budget = drawing_->ram_limit == RamLimit::usual ? Budget{} : drawing_->budget;
   Result<ShownFrame> shown =
-      draw_shown(staging, {drawing_->view, drawing_->budget, drawing_->effects() | request.method, visibility}, show);
+      draw_shown(staging, {drawing_->view, shown_budget, drawing_->effects() | request.method, visibility}, show);
   if (!shown) return shown.failure();
   drawn.shown = std::move(*shown);
   drawn.pixels = std::as_bytes(std::span(drawn.shown->pixels));

@@ -47,9 +47,10 @@ MeshData to_mesh_data(const SourceMesh& source, int texcoord_bits, const Grid& g
     if (source.has_colours) data.colours.push_back({vertex.colour[0], vertex.colour[1], vertex.colour[2], 255});
     if (source.has_texcoords) data.texcoords.push_back(to_texcoord(vertex.texcoord, texcoord_bits));
     if (!source.has_skin) continue;
-    VertexJoints& moved = data.joints.emplace_back();
+    VertexJoints moved;
     std::ranges::copy(vertex.joints, moved.joints);
     std::ranges::copy(vertex.weights, moved.weights);
+    data.joints.push_back(moved);
   }
   return data;
 }

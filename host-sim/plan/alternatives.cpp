@@ -115,6 +115,14 @@ Result<Plan> best_plan(const Planning& planning, const PlanRequest& request) {
 
 }  // namespace
 
+PlanRequest with_enough_ram(const Staging& staging, const PlanRequest& request) {
+  const Planning planning(staging, request);
+  PlanRequest enough = request;
+  enough.budget =
+      with_enough_ram(planning.counts(), request.view, planning.effects(), request.budget, request.ram_limit);
+  return enough;
+}
+
 Result<Plan> best_plan(const Staging& staging, const PlanRequest& request) {
   return best_plan(Planning(staging, request), request);
 }

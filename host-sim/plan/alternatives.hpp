@@ -7,6 +7,7 @@
 
 #include "plan/depth_advice.hpp"
 #include "plan/kept_frames.hpp"
+#include "plan/ram_limit.hpp"
 #include "render/stage.hpp"
 #include "result.hpp"
 #include "zstrip/base/statistics.hpp"
@@ -27,7 +28,8 @@ struct PlanRequest {
   View view;
   std::optional<bool> edges{};  ///< the argument of with_edges
   Budget budget;                ///< bytes, rows, columns, buffers and layer as given by the user
-  bool may_bin = true;          ///< false: only streamed plans
+  RamLimit ram_limit = RamLimit::given;
+  bool may_bin = true;  ///< false: only streamed plans
   DepthFormat depth_format = DepthFormat::z16;
   std::optional<DepthNeed> depth{};  ///< if set, the planner chooses the format
   Effects perspective{};             ///< one of effect::perspective_runs, for baked output; plans do not depend on it
@@ -43,6 +45,9 @@ struct PlanChoice {
   KeptFrames kept;                   ///< the memory of the scene as a static layer
   std::optional<DepthAdvice> depth;  ///< nothing if no surface is visible
 };
+
+/// Returns the request, with more bytes if the scene needs them and the limit is not given.
+PlanRequest with_enough_ram(const Staging& staging, const PlanRequest& request);
 
 /// Returns the plan of least estimated cost. Failures as in choose_plan.
 Result<Plan> best_plan(const Staging& staging, const PlanRequest& request);

@@ -89,7 +89,7 @@ Json strips_of_frame() {
 
 Json rates_of_frame() {
   Json rates = Json::object();
-  for (const BoardRate& rate : viewed.rates) rates[std::string(rate.board)] = rate.frames;
+  for (const BoardRate& rate : viewed.rates) rates[std::string(rate.board)] = rate.words();
   return rates;
 }
 

@@ -46,12 +46,13 @@ class Projector {
 
   /// True if the points lie in the picture, between near and far plane, within less than a pixel.
   bool is_below_a_pixel(const Affine& to_world, std::span<const Vector> points) const {
-    Vector low, high;  // pixels, and the depth
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vector at = project(to_world * points[i]);
+    if (points.empty()) return false;
+    Vector low = project(to_world * points[0]), high = low;  // pixels, and the depth
+    for (const Vector& point : points.subspan(1)) {
+      const Vector at = project(to_world * point);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = i == 0 ? at[axis] : std::min(low[axis], at[axis]);
-        high[axis] = i == 0 ? at[axis] : std::max(high[axis], at[axis]);
+        low[axis] = std::min(low[axis], at[axis]);
+        high[axis] = std::max(high[axis], at[axis]);
       }
     }
     return low[2] >= from_fixed(camera_.near_plane) && high[2] <= from_fixed(camera_.far_plane) &&

@@ -32,9 +32,12 @@ Failure too_little_memory(const Status& status, const Scene& scene, const View& 
                           const Budget& budget, bool other_rows_would_do) {
   const SceneCounts counts = count(scene);
   const std::uint16_t rows = other_rows_would_do ? std::uint16_t{0} : budget.strip_rows;
-  const std::uint32_t smallest =
-      plan(counts, view, effects, {.bytes = 1, .strip_rows = rows, .strip_columns = budget.strip_columns})
-          .status.needed;
+  const std::uint32_t smallest = plan(counts, view, effects,
+                                      {.bytes = 1,
+                                       .strip_rows = rows,
+                                       .strip_columns = budget.strip_columns,
+                                       .strip_buffers = budget.strip_buffers})
+                                     .status.needed;
   std::string advice = fmt::format("--ram {} is the smallest that works", smallest);
   if (budget.strip_rows != rows && smallest <= budget.bytes)
     advice = "try --strip-rows auto";
@@ -77,7 +80,9 @@ Result<FrameReport> FrameRenderer::render(const Staging& original) {
   if (const Result<Done> checked = check_visibility(effects); !checked) return checked.failure();
   Budget budget = budget_;
   if (temporal_) budget.modes = Modes::streamed;
-  const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget);
+  const SceneCounts counts = count(staging.scene);
+  budget = with_enough_ram(counts, view_, effects, budget, ram_limit_);
+  const auto [status, plan] = zstrip::plan(counts, view_, effects, budget);
   if (status.error == Error::arena_too_small) {
     // A panel may require a number of rows.
     return too_little_memory(status, staging.scene, view_, effects, budget_, panel_ == nullptr);

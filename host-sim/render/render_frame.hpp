@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "panel/simulated_panel.hpp"
+#include "plan/ram_limit.hpp"
 #include "render/picture_display.hpp"
 #include "render/stage.hpp"
 #include "result.hpp"
@@ -47,6 +48,9 @@ class FrameRenderer {
     method_ = method, options_ = options, temporal_ = temporal;
   }
 
+  /// The budget's bytes are a limit for all scenes (the default), or more may be taken.
+  void set_ram_limit(RamLimit limit) { ram_limit_ = limit; }
+
   /// Plans and draws. Failures: ExitStatus::budget, with the bytes that are missing, their purpose, and how many are
   /// enough.
   Result<FrameReport> render(const Staging& staging);
@@ -67,6 +71,7 @@ class FrameRenderer {
 
   View view_;
   Budget budget_;
+  RamLimit ram_limit_ = RamLimit::given;
   Effects added_;
   Effects method_;
   VisibilityOptions options_;

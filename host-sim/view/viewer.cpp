@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "bake/flash_bytes.hpp"
@@ -61,13 +62,25 @@ std::uint64_t bytes_on_bus(const std::vector<Rect>& strips, const View& view) {
   return bytes;
 }
 
-/// Computes the time from the estimated instructions and the panel's bytes, in one place.
-BoardTime time_on(const BoardModel& board, double bus_mhz, const ViewedFrame& viewed, const View& view) {
-  return {static_cast<double>(viewed.instructions) * board.cycles_per_estimate / (board.core_mhz * 1e6),
+/// Computes the time from the estimated instructions and the panel's bytes, in one place. `cycles`: for an instruction
+/// of the estimate.
+BoardTime time_on(const BoardModel& board, double cycles, double bus_mhz, const ViewedFrame& viewed, const View& view) {
+  return {static_cast<double>(viewed.instructions) * cycles / (board.core_mhz * 1e6),
           static_cast<double>(8 * bytes_on_bus(viewed.strips, view)) / (bus_mhz * 1e6)};
 }
 
+/// Returns the bytes of a board's memory that the plan takes, with what programs need beside it.
+std::uint64_t ram_on(const BoardModel& board, const FrameReport& report) {
+  return std::uint64_t{report.plan.bytes()} + (board.dma ? 2U : 1U) * std::uint64_t{report.strip_pixel_bytes} +
+         kReservedRam;
+}
+
 }  // namespace
+
+std::string BoardRate::words() const {
+  if (!fits()) return fmt::format("needs {} KB", (needed_ram + 1023) / 1024);
+  return least < most ? fmt::format("{:.2g} to {:.2g}", least, most) : fmt::format("{:.3g}", most);
+}
 
 Result<Viewer> Viewer::open(const ViewRequest& request) {
   Viewer viewer(request);
@@ -82,6 +95,10 @@ Result<Done> Viewer::reload() {
   Result<Drawing> parsed = parse_drawing(request_.drawing, *settings);
   if (!parsed) return parsed.failure();
   auto drawing = std::make_unique<Drawing>(std::move(*parsed));
+  if (request_.board != nullptr && drawing->ram_limit == RamLimit::usual) {
+    drawing->budget.bytes = request_.board->ram_bytes - kReservedRam;
+    drawing->budget.strip_buffers = request_.board->dma ? 2 : 1;
+  }
   Result<std::unique_ptr<Stage>> stage = open_scene(scene, *drawing, request_.frames);
   if (!stage) return stage.failure();
   std::unique_ptr<VisibleSetFile> sets;
@@ -149,12 +166,20 @@ Result<ViewedFrame> Viewer::draw() {
   viewed.instructions = estimated_cost(count(staging->scene), effects, drawing_->view, viewed.report.plan,
                                        work_of(viewed.report.statistics));
   viewed.left_out = left_out_of_estimates(effects);
-  const auto timeline = [&](const BoardModel& board, double bus_mhz) {
-    return times_on(board, time_on(board, bus_mhz, viewed, drawing_->view), viewed.strips);
+  const auto timeline = [&](const BoardModel& board, double cycles, double bus_mhz) {
+    return times_on(board, time_on(board, cycles, bus_mhz, viewed, drawing_->view), viewed.strips);
   };
-  if (request_.board != nullptr) viewed.times = timeline(*request_.board, request_.bus_mhz);
+  if (const BoardModel* const board = request_.board) {
+    viewed.times = timeline(*board, board->cycles_per_estimate.high, request_.bus_mhz);
+  }
   for (const BoardModel& board : board_models()) {
-    viewed.rates.push_back({board.name, 1 / timeline(board, board.spi_mhz).back().send_end});
+    BoardRate rate{.board = board.name, .needed_ram = ram_on(board, viewed.report)};
+    if (rate.needed_ram <= board.ram_bytes) {
+      const double bus_mhz = &board == request_.board ? request_.bus_mhz : board.spi_mhz;
+      rate.least = 1 / timeline(board, board.cycles_per_estimate.high, bus_mhz).back().send_end;
+      rate.most = 1 / timeline(board, board.cycles_per_estimate.low, bus_mhz).back().send_end;
+    }
+    viewed.rates.push_back(rate);
   }
   viewed.text = text(viewed);
   if (look_ == Look::accuracy) {
@@ -192,12 +217,19 @@ std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
       fmt::format("{}, {} drawn, {}", counted(report.statistics.triangles, "triangle"),
                   grouped(report.statistics.drawn), counted(report.statistics.fragments, "fragment"))};
   if (const BoardModel* const board = request_.board) {
-    const BoardTime time = time_on(*board, request_.bus_mhz, viewed, view);
-    lines.push_back(fmt::format("{}: {:.0f} ms drawn, {:.0f} sent: about {:.3g}/s", board->name, 1e3 * time.draw,
-                                1e3 * time.send, 1 / viewed.times.back().send_end));
+    const BoardRate& rate = *std::ranges::find(viewed.rates, board->name, &BoardRate::board);
+    if (!rate.fits()) {
+      lines.push_back(fmt::format("{}: {} of RAM, has {} KB", board->name, rate.words(), board->ram_bytes / 1024));
+    } else {
+      const BoardTime time = time_on(*board, board->cycles_per_estimate.high, request_.bus_mhz, viewed, drawing_->view);
+      lines.push_back(fmt::format("{}: {:.0f} ms drawn{}, {:.0f} sent: about {}/s", board->name, 1e3 * time.draw,
+                                  rate.least < rate.most ? " at most" : "", 1e3 * time.send, rate.words()));
+    }
   } else {
+    // The others have --board.
     std::vector<std::string> boards;
-    for (const BoardRate& rate : viewed.rates) boards.push_back(fmt::format("{} {:.3g}", rate.board, rate.frames));
+    for (const BoardRate& rate : std::span(viewed.rates).first(boards_with_core_model().size()))
+      boards.push_back(fmt::format("{} {}", rate.board, rate.words()));
     lines.push_back(fmt::format("about/s: {}", fmt::join(boards, " ")));
   }
   if (!viewed.left_out.empty()) {

@@ -29,10 +29,14 @@ struct ViewRequest {
   double bus_mhz = 0;                 ///< of that board's SPI
 };
 
-/// The approximate number of frames that a board shows in a second, with its own bus.
+/// The approximate number of frames that a board shows in a second, with its own bus; or its memory does not suffice.
 struct BoardRate {
   std::string_view board;
-  double frames;
+  double least = 0, most = 0;    ///< 0: the plan does not fit
+  std::uint64_t needed_ram = 0;  ///< bytes: arena, strip buffers and kReservedRam
+  bool fits() const { return most > 0; }
+  /// Returns "12.3", "8 to 17" where the core has no model, or "needs 28 KB".
+  std::string words() const;
 };
 
 /// A frame, and its cost on a device.

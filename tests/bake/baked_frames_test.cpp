@@ -162,7 +162,8 @@ TEST_F(BakedFrames, ABlobOfASceneFileWithAMethodIsPlannedWithAZBuffer) {
        {std::tuple{"scene.hpp", 0, ""},
         {"scene.zsc", 240 * 240 * 2, "memory is planned with a z-buffer"},
         {"scene.uf2", 240 * 80 * 2, "the program for the Pico draws with a z-buffer"}}) {
-    const Outcome outcome = zstrip({"bake", scene, "-o", output, "--size", "240x240", "--quiet", "--json", "-"});
+    const Outcome outcome =
+        zstrip({"bake", scene, "-o", output, "--size", "240x240", "--ram", "max", "--quiet", "--json", "-"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(Json::parse(outcome.out).at("plan").at("ram_bytes").at("depth"), depth_bytes) << output;
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;

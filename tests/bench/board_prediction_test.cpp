@@ -113,8 +113,15 @@ TEST(CycleModel, FlashWaits) {
   EXPECT_DOUBLE_EQ(flash_cycles(region, flash).high, 2 * (4 + 2) + 3);
 }
 
-TEST(CycleModel, EveryBoardHasATimedCoreAndAProgram) {
-  for (const BoardModel& board : board_models()) {
+TEST(CycleModel, EveryBoardHasATimedCoreAndAProgramOrARange) {
+  const std::size_t timed = boards_with_core_model().size();
+  EXPECT_EQ(timed, 5U);
+  for (const BoardModel& board : board_models().subspan(timed)) {
+    EXPECT_TRUE(board.core.empty() && board.target.empty()) << board.name;
+    EXPECT_LT(board.cycles_per_estimate.low, board.cycles_per_estimate.high) << board.name;
+    EXPECT_GT(board.ram_bytes, kReservedRam) << board.name;
+  }
+  for (const BoardModel& board : boards_with_core_model()) {
     EXPECT_NE(find_core(board.core), nullptr) << board.name;
     EXPECT_TRUE(board.target == "m0" || board.target == "m3" || board.target == "m4f" || board.target == "m33")
         << board.name;

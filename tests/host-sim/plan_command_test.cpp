@@ -140,7 +140,8 @@ TEST_F(Command, PlanAdvisesADepthFormat) {
 
 TEST_F(Command, PlanChoosesTheDepthFormat) {
   const auto chosen = [this](std::vector<std::string> words) {
-    words.insert(words.begin(), {"plan", "room", "--size", "128x64", "--depth-format", "auto", "--json"});
+    words.insert(words.begin(),
+                 {"plan", "room", "--size", "128x64", "--ram", "max", "--depth-format", "auto", "--json"});
     const Outcome outcome = zstrip(words);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const nlohmann::json report = nlohmann::json::parse(outcome.out);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "bench/board_model.hpp"
 #include "support.hpp"
 #include "view/view_loop.hpp"
 #include "view/viewer.hpp"
@@ -202,6 +203,26 @@ TEST(ViewText, SaysWhichEffectsTheEstimateLeavesOut) {
   };
   EXPECT_EQ(last_line("fog"), "the estimate leaves out: fog");
   EXPECT_TRUE(last_line("teapot").starts_with("about/s: ")) << last_line("teapot");
+}
+
+/// The micro:bit's 16 KB got 3 frames a second of a picture that takes 230 KB.
+TEST(ViewText, ABoardThatThePlanDoesNotFitSaysWhatItNeeds) {
+  const auto drawn = [](const char* board, const char* ram) {
+    ViewRequest request;
+    request.drawing.scene = "teapot_meshlets";
+    request.drawing.memory.ram = ram == nullptr ? std::nullopt : std::optional<std::string>(ram);
+    request.board = find_board(board);
+    request.bus_mhz = request.board->spi_mhz;
+    Result<Viewer> viewer = Viewer::open(request);
+    if (!viewer) return viewer.failure().message;
+    const Result<ViewedFrame> frame = viewer->draw();
+    return frame ? frame->text.back() : frame.failure().message;
+  };
+  EXPECT_TRUE(drawn("microbit", "max").starts_with("microbit: needs ")) << drawn("microbit", "max");
+  EXPECT_TRUE(drawn("microbit", "max").ends_with(" KB of RAM, has 16 KB")) << drawn("microbit", "max");
+  EXPECT_TRUE(drawn("microbit", nullptr).ends_with("/s"))
+      << "is planned for its memory: " << drawn("microbit", nullptr);
+  EXPECT_TRUE(drawn("pico", nullptr).ends_with("/s")) << drawn("pico", nullptr);
 }
 
 TEST(ViewInput, IsWrittenAsWords) {

@@ -97,10 +97,10 @@ inline constexpr zstrip::View kView{240, 240, zstrip::PixelFormat::rgb565_swappe
 inline constexpr zstrip::Effects kEffects = zstrip::effect::lighting | zstrip::effect::gouraud | zstrip::effect::unclipped | zstrip::effect::shade_gouraud;
 static_assert(kEffects == (zstrip::effects_of(kScene, kCamera) | zstrip::effect::unclipped));
 inline constexpr zstrip::SceneCounts kCounts = zstrip::count(kScene);
-/// What --ram and the other options allowed, and the strips that were chosen for it: 115,648 bytes of arena and 115,200 for
+/// What --ram and the other options allowed, and the strips that were chosen for it: 11,976 bytes of arena and 11,520 for
 /// each of 1 strip buffer.
-inline constexpr zstrip::Budget kBudget{.bytes = 0,
-                                        .strip_rows = 240,
+inline constexpr zstrip::Budget kBudget{.bytes = 24576,
+                                        .strip_rows = 24,
                                         .strip_columns = 240,
                                         .split_columns = false,
                                         .strip_buffers = 1,

@@ -55,7 +55,7 @@ export function showFigures(figures) {
     ['instructions of a Cortex-M3, about', figures.m3_instructions], ['flash of the scene, bytes', figures.flash_bytes]
   ]);
   showAccuracy(figures.accuracy);
-  fill('boards', Object.entries(figures.rates).map(([board, rate]) => [board, rate.toPrecision(3)]));
+  fill('boards', Object.entries(figures.rates));
   showLeftOut(figures.estimate_leaves_out);
 }
 
