@@ -1,4 +1,4 @@
-// What the rest of zstrip needs of an effect. A wing's Effect replaces what is not so for it.
+// The interface of an effect to the rest of zstrip. A wing's Effect replaces what is not so for it.
 #pragma once
 
 #include <array>
@@ -27,10 +27,10 @@ struct Exclusion {
 namespace zstrip::detail {
 
 struct AnyEffect {
-  /// What no renderer can have together.
+  /// Effects that no renderer can have together.
   static constexpr std::array<Exclusion, 0> kExclusions{};
 
-  /// Those that keep something in the arena from begin_frame to the strips, where a scene calls for one of them.
+  /// Effects that keep something in the arena from begin_frame to the strips, where a scene calls for one of them.
   static constexpr Effects kNeedMemory{};
   static constexpr std::uint32_t kAlignment = 4;  ///< of that memory: 4 or 8
   static constexpr std::uint64_t bytes(const SceneCounts&) { return 0; }

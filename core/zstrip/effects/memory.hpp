@@ -23,10 +23,11 @@ inline constexpr std::uint32_t kEffectHeaderBytes = 16;
 /// The last parts may count something else than instances; of these no scene has two.
 template <class... Parts>
 struct EffectMemory {
-  /// Whether effects among these have any memory.
+  /// True if effects among these have any memory.
   static constexpr bool has_any(Effects effects) { return effects.any((Parts::kNeedMemory | ...)); }
 
-  /// Of all parts, and what is ahead of them. `called_for`: no other than `possible`, for which alone there is code.
+  /// Returns the bytes of all parts and their headers. `called_for`: none but `possible`, for which alone there is
+  /// code.
   template <Effects possible = (Parts::kNeedMemory | ...)>
   static constexpr std::uint64_t bytes(Effects called_for, const SceneCounts& counts) {
     if (!has_any(called_for)) return 0;

@@ -9,7 +9,7 @@
 
 namespace zstrip::detail {
 
-/// Of the request only the camera is not known to be right.
+/// Only the camera of the request is still to be checked.
 template <Effects effects>
 Status begin_fixed_frame(FrameState& frame, const FrameRequest& request, std::span<std::byte> arena) {
   abandon(frame);

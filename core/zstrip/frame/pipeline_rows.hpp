@@ -17,7 +17,7 @@ struct PipelineRow {
 /// Methods are equal but for culling, which a row may have beside one.
 constexpr Effects own_method(Effects effects) { return without(Effects{0, effects.methods}, methods::kBesideOthers); }
 
-/// Whether a pipeline of these effects draws what one with exactly `wanted` does: it has all of them, and the way to
+/// True if a pipeline of these effects draws as one with exactly `wanted` does: it has all of them, and the way to
 /// keep depth, the projection, the accuracy of textures, and the method are the same.
 constexpr bool draws(Effects effects, Effects wanted) {
   constexpr Effects kEqual =

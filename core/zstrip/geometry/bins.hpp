@@ -65,7 +65,7 @@ class Bins {
     return true;
   }
 
-  /// What `add` does where the list has no room yet for a triangle of this batch.
+  /// The part of `add` for a list that has no room yet for a triangle of this batch.
   [[gnu::noinline]] bool append(BinList& list, std::uint16_t batch, std::uint16_t triangle) {
     if (list.batch != batch) {
       if (!put(list, static_cast<std::uint16_t>(kBatchEntry | batch))) return false;
@@ -74,7 +74,7 @@ class Bins {
     return put(list, triangle);
   }
 
-  /// Whether some list has a triangle of this batch, which no later one has been added after.
+  /// True if some list has a triangle of this batch, and no list has one of a later batch.
   bool has_newest(std::uint16_t batch) const { return newest_batch_ == batch; }
 
   /// Memory that no list needs, in whole chunks. The last one begins the frame as zeros.
@@ -82,7 +82,7 @@ class Bins {
     return {slots_ + used_ * kBinChunkSlots, (capacity_ - std::size_t{used_}) * kBinChunkSlots};
   }
 
-  /// The same lists, with no memory to spare.
+  /// Returns the same lists, with no memory to spare.
   Bins without_spare() const {
     Bins lists = *this;
     lists.capacity_ = used_;

@@ -15,7 +15,7 @@ inline constexpr int kLog2DepthRanges = 2;
 inline constexpr std::uint32_t kDepthRanges = 1U << kLog2DepthRanges;
 inline constexpr std::uint32_t kDepthRangeCodes = 1U << (16 - kLog2DepthRanges);
 
-/// What codes stand for: depth 1/2^32 of all codes, as project_depth gives it.
+/// The depth that codes stand for: depth 1/2^32 of all codes, as project_depth gives it.
 struct DepthMapping {
   std::int64_t quotient_at_near;  ///< k / near of depth = k / w - offset (perspective)
   std::int64_t offset;

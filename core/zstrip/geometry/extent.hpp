@@ -45,7 +45,7 @@ class StripGrid {
     return {strip(first, inverse_rows_), strip(end - 1, inverse_rows_) + 1};
   }
 
-  /// Of a grid of whole rows: from the y of a vertex, 12.4, to its strip, as multiply_high(y + centre_y, inverse).
+  /// For a grid of whole rows: from the y of a vertex, 12.4, to its strip, as multiply_high(y + centre_y, inverse).
   struct VertexRows {
     std::int32_t centre_y;  ///< 12.4
     std::uint32_t inverse;  ///< 2^28 / rows of a strip, rounded up: exact below 2^16, and what is negative stays so
@@ -67,7 +67,7 @@ class StripGrid {
     if (left >= right || rows.first >= rows.end) return {};
     return {strip(left, inverse_columns_), rows.first, strip(right - 1, inverse_columns_) + 1, rows.end};
   }
-  /// The same for pixels of the picture.
+  /// As above, for pixels of the picture.
   Rect strips_of_picture(const Rect& pixels) const {
     return strips_of(
         {pixels.left - centre_x_, pixels.top - centre_y_, pixels.right - centre_x_, pixels.bottom - centre_y_});

@@ -100,7 +100,7 @@ constexpr std::uint32_t project_depth(const CompiledInstance& instance, const Ra
   }
 }
 
-/// What project_narrow needs of an instance, once for all of its vertices.
+/// Values of an instance that project_narrow needs for all of its vertices.
 template <bool orthographic>
 struct NarrowProjection {
   std::uint32_t w_near, w_range;  ///< where a vertex may be narrow

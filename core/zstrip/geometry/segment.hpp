@@ -21,8 +21,8 @@ WidePosition project_clipped(const CompiledInstance& instance, const RasterOrigi
   return position;
 }
 
-/// Of a segment that leaves the narrow range or the depth range. False if nothing of it is left. Not inlined: what it
-/// needs of the stack is free again while pixels are drawn.
+/// Clips a segment that leaves the narrow range or the depth range. Returns false if nothing is left. Not inlined:
+/// its part of the stack is free again while pixels are drawn.
 template <bool orthographic, DepthFormat format>
 [[gnu::noinline]] bool clip_segment(const CompiledInstance& instance, const RasterOrigin& origin, const Position& a,
                                     const Position& b, bool is_point, SnappedSegment& snapped) {

@@ -10,7 +10,7 @@
 
 namespace zstrip::detail {
 
-/// Whether nothing lights or tints the colours of the instance's mesh: they are read where they are.
+/// True if no light or tint changes the colours of the instance's mesh: they are read where they are.
 template <Effects effects>
 bool has_colours_of_mesh(const CompiledInstance& instance) {
   if constexpr (!effects.has(effect::vertex_colours)) return false;

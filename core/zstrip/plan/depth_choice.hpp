@@ -23,7 +23,7 @@ constexpr bool available(DepthFormat format, Projection projection) {
   return projection == Projection::perspective || format != DepthFormat::float16;
 }
 
-/// What lies this far behind something else at `distance` (near..far) is sorted right at every pixel, also where both
+/// Distance behind another surface, at `distance` (near..far), that is sorted right at every pixel, also where both
 /// are tilted by up to 45 degrees: 2.5 codes; docs/numerics.md has measurements. In view units, 32.32, rounded up.
 /// UINT64_MAX where the format has no codes, or cannot have this projection.
 constexpr std::uint64_t depth_separation(DepthFormat format, const DepthRange& range, Fixed distance) {
@@ -49,8 +49,8 @@ constexpr std::uint64_t depth_separation(DepthFormat format, const DepthRange& r
   return for_codes(code << dropped > limit ? code << dropped : limit);
 }
 
-/// Of the formats that sort surfaces `separation` (32.32) apart from range.near to `farthest` (at most range.far), the
-/// one that costs least: z16, the small float, z24 in this order. z24 where none does.
+/// Returns the cheapest format that sorts surfaces `separation` (32.32) apart, from range.near to `farthest` (at most
+/// range.far): z16, the small float or z24. z24 if none does.
 constexpr DepthFormat cheapest_depth_format(const DepthRange& range, Fixed farthest, std::uint64_t separation) {
   for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16}) {
     // All of them get coarser with the distance.

@@ -1,4 +1,4 @@
-// What a frame takes on a Cortex-M3, from what it does; and what it is expected to do with a plan, from counts alone.
+// Estimates the instructions of a frame on a Cortex-M3 from its work, and the work of a plan from counts alone.
 #pragma once
 
 #include "zstrip/base/statistics.hpp"
@@ -37,14 +37,14 @@ constexpr std::uint32_t rough_square_root(std::uint64_t value) {
   return static_cast<std::uint32_t>(root);
 }
 
-/// Of triangles in strips: a triangle's rows grow as the root of its pixels.
+/// Rows of triangles in strips: a triangle's rows grow as the root of its pixels.
 constexpr std::uint64_t rows_of(std::uint64_t covering, std::uint64_t fragments) {
   return std::uint64_t{rough_square_root(covering << 8)} * rough_square_root(fragments << 8) >> 8;
 }
 
 }  // namespace detail
 
-/// What a frame does: counted, or expected.
+/// The work of a frame: counted, or expected.
 struct Work {
   std::uint64_t vertices = 0;   ///< transformed, each time
   std::uint64_t covering = 0;   ///< triangles that are set up, in each strip

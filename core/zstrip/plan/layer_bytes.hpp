@@ -1,4 +1,4 @@
-// What a static layer takes beside the arena: a pool for depth, one for colour, and the dirty tiles.
+// The memory of a static layer beside the arena: a pool for depth, one for colour, and the dirty tiles.
 #pragma once
 
 #include <cstdint>

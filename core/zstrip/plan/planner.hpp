@@ -120,7 +120,7 @@ class Planner {
     return plan.wide_bytes() + std::uint64_t{strip_buffers_} * plan.strip_pixel_bytes(view_) + layer_.sum();
   }
 
-  /// Whether it fits. Inlined, there would be four of it.
+  /// Returns true if the plan fits. Inlined, there would be four copies.
   [[gnu::noinline]] constexpr bool consider(const Plan& plan) {
     if (plan.strips == 0) return false;
     const std::uint64_t bytes = all_bytes(plan);

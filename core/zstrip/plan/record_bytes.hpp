@@ -44,7 +44,7 @@ constexpr std::uint16_t whole_tiles(std::uint32_t rows, std::uint16_t height) {
 
 constexpr bool has_vertex_colours(Effects effects) { return effects.any(effect::lighting | effect::vertex_colours); }
 
-/// Of a transformed vertex, without what it reflects.
+/// Bytes of a transformed vertex, without those of its reflection.
 constexpr std::uint32_t coloured_bytes_per_vertex(Effects effects, const SceneCounts& counts) {
   return kVertexBytes + (has_vertex_colours(effects) && !counts.colours_in_place ? kVertexColourBytes : 0);
 }
@@ -52,12 +52,12 @@ constexpr std::uint32_t bytes_per_vertex(Effects effects, const SceneCounts& cou
   return coloured_bytes_per_vertex(effects, counts) + (effects.has(effect::environment) ? kReflectionBytes : 0);
 }
 
-/// Of one that bins keep: in shadow it has another colour.
+/// Bytes of a vertex that bins keep: it has a second colour, for shadow.
 constexpr std::uint32_t retained_bytes_per_vertex(Effects effects, const SceneCounts& counts) {
   return bytes_per_vertex(effects, counts) + (effects.has(effect::shadows) ? kVertexColourBytes : 0);
 }
 
-/// Whether strips are drawn with an apron, a pixel more on each side that lies in the picture: edges that are blended
+/// True if strips are drawn with an apron, a pixel more on each side that lies in the picture: edges that are blended
 /// read their neighbours.
 constexpr bool has_apron(Effects effects, const SceneCounts& counts) {
   return effects.has(effect::edges) && counts.edge_groups != 0;
@@ -68,7 +68,7 @@ constexpr std::uint64_t cells_with_apron(std::uint32_t rows, std::uint32_t colum
   return wider(rows, view.height) * wider(columns, view.width);
 }
 
-/// Of a strip with so many cells of `cell_bytes`: two layers of depth, a count and a mark each.
+/// Bytes for a strip with so many cells of `cell_bytes`: two layers of depth, a count and a mark for each cell.
 constexpr std::uint64_t csg_strip_bytes(std::uint64_t cells, std::uint32_t cell_bytes) {
   return cells * (2 * cell_bytes + 2);
 }
@@ -94,7 +94,7 @@ constexpr std::uint64_t colour_bytes_of_edges(std::uint32_t rows, std::uint32_t 
 /// Samples are not: pixels are their means.
 constexpr bool drawn_in_place(const View& view) { return drawn_in_place(view.format) && view.samples == 1; }
 
-/// What begin_frame compiles.
+/// Bytes of the instances that begin_frame compiles.
 constexpr std::uint64_t instance_bytes(const SceneCounts& counts) {
   return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes +
          std::uint64_t{counts.line_sets} * kLineSetBytes;

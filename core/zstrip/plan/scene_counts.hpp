@@ -1,4 +1,4 @@
-// What a plan needs to know of a scene.
+// Counts the parts of a scene that a plan depends on.
 #pragma once
 
 #include "zstrip/budget.hpp"
@@ -9,7 +9,7 @@ namespace zstrip {
 
 namespace detail {
 
-/// Whether the vertices of an instance have colours that the mesh does not have: it is lit, or its material tints them.
+/// True if the vertices of an instance have other colours than the mesh: it is lit, or its material tints them.
 constexpr bool makes_colours(const Scene& scene, const Instance& instance) {
   if (instance.mesh >= scene.meshes.size() || instance.material >= scene.materials.size()) return true;
   const Mesh& mesh = scene.meshes[instance.mesh];

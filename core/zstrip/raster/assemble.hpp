@@ -107,7 +107,7 @@ struct Assembler : NarrowAssembler<effects> {
     }
   }
 
-  /// Those with the loop that is quickest for them.
+  /// Draws these triangles with the loop that is quickest for them.
   template <Shade shade, bool all_narrow, class TriangleAt>
   static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
                        const TriangleAt& triangle_at) {
@@ -131,7 +131,7 @@ struct Assembler : NarrowAssembler<effects> {
     }
   }
 
-  /// Whether some instance may have this shade.
+  /// True if some instance may have this shade.
   static constexpr bool has_shade(Shade shade) {
     constexpr bool kAll = !effects.any(effect::shades);
     constexpr bool kGouraud = effects.has(effect::gouraud);
@@ -177,7 +177,7 @@ struct Assembler : NarrowAssembler<effects> {
     draw_triangles<Shade::flat, false>(target, batch, count, turned);
   }
 
-  /// Of an operand: those that face the viewer, or those that face away.
+  /// Draws one side of an operand: the triangles that face the viewer, or those that face away.
   static void draw_side(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles, bool away) {
     const auto turned = [triangles, away](std::size_t i) { return away ? turned_round(triangles[i]) : triangles[i]; };
     with_shade(batch.instance->shade,

@@ -88,7 +88,7 @@ struct ClippedAssembler {
     return ClipperFor<effects>::finish(batch, clipped, polygon);
   }
 
-  /// Of a triangle of a clipped one.
+  /// Takes the corners of a triangle that is a part of a clipped one.
   static void take_corners(const StripTarget& target, const Batch& batch, const Triangle& triangle,
                            RasterVertex (&vertices)[3], LitSurface& surface) {
     LitCorner corners[3];

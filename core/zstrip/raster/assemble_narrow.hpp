@@ -52,7 +52,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     }
   }
 
-  /// Of the small float's vertices only those of one octave have their codes on a plane.
+  /// The small float's vertices have their codes on a plane only if they lie in one octave.
   static bool is_small_in_octave(std::int32_t width, std::int32_t height, const SnappedVertex& a,
                                  const SnappedVertex& b, const SnappedVertex& c) {
     const std::uint32_t octave = float16_octave(a.depth);
@@ -75,7 +75,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return {std::min(least, c), std::max(greatest, c)};
   }
 
-  /// Whether a triangle that has no pixel's centre in its box, or none in the strip, is left out.
+  /// True if a triangle that has no pixel's centre in its box, or none in the strip, is left out.
   static bool culls_small([[maybe_unused]] const StripTarget& target) {
     if constexpr (methods::culls(kDepth.method())) {
       return target.method->cull_small;
@@ -88,7 +88,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return std::max(std::max(a.depth, b.depth), c.depth) >> 16;
   }
 
-  /// Whether bounds of depth apply to fragments in this strip.
+  /// True if bounds of depth apply to fragments in this strip.
   static bool has_bounds([[maybe_unused]] const StripTarget& target) {
     if constexpr (methods::keeps_bounds(kDepth.method()) && kDepth.state) return is_plain(target.settings);
     return methods::keeps_bounds(kDepth.method());
@@ -104,9 +104,9 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return false;
   }
 
-  /// What most kernels are for: the depth test of z16 and nothing to count.
+  /// The case of most kernels: the depth test of z16 and nothing to count.
   static constexpr bool kIsPlain = !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
-  /// Whether triangles larger than small ones are drawn by draw_medium, or by draw_medium_textured.
+  /// True if triangles larger than small ones are drawn by draw_medium, or by draw_medium_textured.
   template <Shade shade>
   static constexpr bool kHasMedium = (kIsPlain && kHasMediumTriangles && shade <= Shade::gouraud);
   template <Shade shade>
@@ -114,7 +114,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
                                                 shade >= Shade::textured && shade <= Shade::textured_gouraud &&
                                                 (Clipped::kPerspective == 0 ||
                                                  Clipped::kPerspective == kPerspectiveRun));
-  /// Whether most triangles never come to draw_narrow.
+  /// True if most triangles never come to draw_narrow.
   template <Shade shade, bool all_narrow>
   static constexpr bool kSmallRuns = kIsPlain && (all_narrow ? kHasSmallRuns : kHasSmallRunsOfOne) &&
                                      (shade == Shade::gouraud || (shade == Shade::flat && kHasFlatSmallRuns));
@@ -137,7 +137,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return narrow_area(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]);
   }
 
-  /// Of a vertex of the batch in its mesh.
+  /// Returns the index in the mesh of a vertex of the batch.
   static std::uint32_t index_of(const Batch& batch, const SnappedVertex& vertex) {
     return static_cast<std::uint32_t>(&vertex - batch.vertices) + batch.first_vertex;
   }
@@ -174,7 +174,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
                                !methods::guesses(kDepth.method()) && !kDepth.compares_codes();
-    // What a run of small triangles has left is not small, nor medium; but vectors leave what has no room for blocks.
+    // A run of small triangles leaves only larger ones, but vectors leave what has no room for blocks.
     constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided && !kHasVectors;
     constexpr bool kGouraud = shade == Shade::gouraud;
     [[maybe_unused]] const Colour* colours[3] = {nullptr, nullptr, nullptr};

@@ -22,7 +22,7 @@ struct Batch {
   Surface surface;
 };
 
-/// Of a renderer with effect::environment.
+/// The batch of a renderer with effect::environment.
 struct ReflectingBatch : Batch {
   TexCoord* reflections;  ///< as `vertices`, of 15 bits; null where the mesh's own texture coordinates are drawn
 };

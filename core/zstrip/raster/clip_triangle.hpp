@@ -27,8 +27,8 @@ void rotate_to_first(const Order& order, Corner& ia, Corner& ib, Corner& ic) {
   }
 }
 
-/// What of a set of effects changes how a triangle is clipped. TriangleClipper is made for these, so that pipelines
-/// and shades share its code.
+/// The part of a set of effects that changes how a triangle is clipped. TriangleClipper is made for these, so that
+/// pipelines and shades share its code.
 constexpr Effects clip_effects(Effects effects) {
   const Effects sides = shows_both_sides(effects) ? effect::two_sided : Effects{};
   return sides | (effects & (effect::orthographic | effect::depth_formats | effect::outlines));
@@ -111,7 +111,7 @@ struct TriangleClipper {
   }
 };
 
-/// Of a renderer with these effects.
+/// Returns this part for a renderer with these effects.
 template <Effects effects>
 using ClipperFor = TriangleClipper<clip_effects(effects)>;
 

@@ -1,4 +1,4 @@
-// What a pixel loop does with depth: which cell it has, how a stepped value becomes a code, and which fragments are
+// The depth of a pixel loop: which cell a pixel has, how a stepped value becomes a code, and which fragments are
 // drawn. With z16 and the default test all of it is "greater than the cell".
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace zstrip::detail {
 
-/// What a fragment has to do with the z-buffer.
+/// The use that a fragment makes of the z-buffer.
 enum class DepthUse : std::uint8_t {
   tested,   ///< drawn where it is nearer
   written,  ///< known to be nearer
@@ -51,7 +51,7 @@ constexpr DepthMode depth_mode(Effects effects) {
           effects.methods != 0 && effects.has(effect::statistics)};
 }
 
-/// What the depth modes other than the default need, once for each meshlet.
+/// Settings of the depth modes other than the default, made once for each meshlet.
 struct DepthSettings {
   DepthTest test = DepthTest::nearer;
   bool write = true;
@@ -61,7 +61,7 @@ struct DepthSettings {
   std::uint32_t smallest = 1, largest = 65534;  ///< codes that a bias does not leave
 };
 
-/// Whether fragments with these settings can only bring cells nearer, and only where their own vertices are.
+/// True if fragments with these settings can only bring cells nearer, and only where their own vertices are.
 constexpr bool is_plain(const DepthSettings& settings) {
   return settings.test == DepthTest::nearer && settings.bias == 0 && settings.slope_bias == 0;
 }
@@ -74,7 +74,7 @@ struct StripTargetWithDepth : StripTarget {
 struct StripTargetWithMethod : StripTargetWithDepth {
   MethodState* method;
 };
-/// Of the layers of CSG.
+/// A pass of CSG over its layers.
 struct CsgPass;
 struct StripTargetWithLayers : StripTargetWithDepth {
   const CsgPass* pass;
@@ -148,7 +148,7 @@ template <DepthMode mode>
 class DepthRule {
  public:
   using Cell = DepthCell<mode.format>;
-  /// Whether all it does is to draw fragments whose code, the upper half of a word, is greater than the cell.
+  /// True if the rule only draws fragments whose code, the upper half of a word, is greater than the cell.
   static constexpr bool kNearerOnly = (mode.format == DepthFormat::z16 || mode.format == DepthFormat::float16) &&
                                       mode.use == DepthUse::tested && !mode.state && !mode.counted;
 
@@ -176,7 +176,7 @@ class DepthRule {
   constexpr Cell code(Value value) const {
     return depth_code<mode.format>(value);
   }
-  /// Whether a fragment of stepped depth `value` is drawn; it is then in the cell.
+  /// Returns true if a fragment of stepped depth `value` is drawn; it is then in the cell.
   template <class Value>
   constexpr bool draws(Value value, Cell& cell) const {
     const bool drawn = decides(value, cell);
@@ -184,13 +184,13 @@ class DepthRule {
     if (drawn) count_write(cell);
     return drawn;
   }
-  /// The same for fragments that may still be discarded: `kept` is what the cell would then hold.
+  /// As above, for fragments that may still be discarded: `kept` is the value that the cell would then hold.
   template <class Value>
   constexpr bool may_draw(Value value, Cell& kept) const {
     count_test();
     return decides(value, kept);
   }
-  /// What follows may_draw, once the fragment is drawn. `writes`: it hides what is behind it.
+  /// Follows may_draw, once the fragment is drawn. `writes`: it hides what is behind it.
   constexpr void drawn(Cell kept, bool writes, Cell& cell) const {
     if constexpr (mode.use != DepthUse::none) {
       if (writes) cell = kept;

@@ -16,7 +16,7 @@ struct Floor {
   std::uint32_t rest;
 };
 
-/// Of a quotient in 32 bits: a pixel, or pixels a row.
+/// Returns the floor of a quotient that has 32 bits: a pixel, or pixels a row.
 Floor floor_of(std::int64_t numerator, std::uint32_t denominator) {
   const bool negative = numerator < 0;
   const auto [quotient, rest] = divide_long(static_cast<std::uint64_t>(negative ? ~numerator : numerator), denominator);

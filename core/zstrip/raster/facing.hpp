@@ -21,12 +21,12 @@ struct NarrowPixels {
   Rect box() const { return {least(a.x, b.x, c.x) >> 4, top(), greatest(a.x, b.x, c.x) >> 4, bottom()}; }
 
  private:
-  // Of whole words, or every comparison extends halfwords.
+  // Whole words are compared, or every comparison would extend halfwords.
   static std::int32_t least(std::int32_t i, std::int32_t j, std::int32_t k) { return std::min(std::min(i, j), k); }
   static std::int32_t greatest(std::int32_t i, std::int32_t j, std::int32_t k) { return std::max(std::max(i, j), k); }
 };
 
-/// The same of a triangle that was clipped.
+/// The pixels of a triangle that was clipped, likewise.
 struct ClippedPixels {
   Rect pixels;
 
@@ -35,7 +35,7 @@ struct ClippedPixels {
   Rect box() const { return pixels; }
 };
 
-/// What draws the triangles of a renderer with these effects.
+/// Draws the triangles of a renderer with these effects.
 template <Effects effects>
 using AssemblerFor = Assembler<raster_effects(effects)>;
 

@@ -79,7 +79,7 @@ struct FragmentPlanes {
   [[no_unique_address]] typename Sampler::Storage storage;
 };
 
-/// What is exact at the ends of a run only, and linear between.
+/// Values that are exact at the ends of a run only, and linear between.
 struct FragmentPoint {
   TexelPosition texel{};
   std::uint32_t footprint = 0;  ///< TexelFootprint's

@@ -1,4 +1,4 @@
-// What the fragments of an instance need beyond its vertices, and the strip that carries it to the span loop.
+// Settings for the fragments of an instance beyond its vertices, and the strip that carries them to the span loop.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ struct CompiledInstance;
 struct InstanceShading;
 struct FrameLights;
 
-/// What lights the pixels of an instance; only looked at where it has_lit_fragments.
+/// The light on the pixels of an instance; read only where it has_lit_fragments.
 struct PixelLightSettings {
   const CompiledInstance* instance = nullptr;
   const Scene* scene = nullptr;

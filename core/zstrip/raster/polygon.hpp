@@ -32,13 +32,13 @@ class RasterPolygon {
   /// there is nothing to draw.
   bool face_front(bool double_sided) { return double_sided ? face_viewer() : drop_straight().left; }
 
-  /// Whether no triangle that is cut off covers more than the polygon; since face_front().
+  /// True if no triangle that is cut off covers more than the polygon; since face_front().
   bool is_convex() const { return convex_; }
 
   /// Takes one triangle of positive area off the polygon; false when what is left winds clockwise or is nothing.
   bool cut_triangle(RasterVertex (&corner)[3]);
 
-  /// Of what is left.
+  /// Returns the winding number of a point in the part that is left.
   int winding_number(std::int32_t column, std::int32_t row, std::int32_t& end) const {
     return detail::winding_number(vertices_, count_, column, row, end);
   }
@@ -68,7 +68,7 @@ class TriangleParts {
   /// `rest` is what cutting off `corner` has left; both must outlive this.
   TriangleParts(const RasterPolygon& rest, const RasterVertex (&corner)[3], const Rect& area);
 
-  /// Of raster pixels, inside the area, from top to bottom; false after the last one.
+  /// Returns the next part, in raster pixels inside the area, from top to bottom; false after the last one.
   bool next(Rect& part);
 
  private:

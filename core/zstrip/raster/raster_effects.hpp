@@ -1,4 +1,4 @@
-// What of a set of effects changes how triangles become pixels.
+// The part of a set of effects that changes how triangles become pixels.
 #pragma once
 
 #include "zstrip/effects.hpp"
@@ -17,7 +17,7 @@ constexpr Effects raster_effects(Effects effects) {
   return without(effects, kOfOtherStages) | colours;
 }
 
-/// Whether some instance may show its back faces. Methods may show both sides of anything.
+/// True if some instance may show its back faces. Methods may show both sides of anything.
 constexpr bool shows_both_sides(Effects effects) {
   return !effects.any(effect::shades) || effects.has(effect::two_sided) || effects.methods != 0;
 }

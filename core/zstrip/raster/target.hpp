@@ -27,7 +27,7 @@ struct StripTarget {
   std::uint16_t* colour_row(std::int32_t y) const { return colour + (y - area.top) * colour_stride; }
 };
 
-/// The same strip with no more than `part` of its area to draw in.
+/// Returns the strip with a smaller area to draw in: `part` of it.
 template <class Cell, class Target>
 Target part_of(const Target& target, const Rect& part) {
   Target result = target;
@@ -44,7 +44,7 @@ struct TextureView {
   std::uint8_t log2_width, log2_height;
 };
 
-/// What the pixels of a triangle need besides its vertices.
+/// Values that the pixels of a triangle need besides its vertices.
 struct Surface {
   std::uint16_t flat_colour;
   TextureView texture;

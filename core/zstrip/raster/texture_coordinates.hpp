@@ -68,13 +68,13 @@ class TextureCoordinates {
     u_over_w_ = plane(u0_by_w, u1_by_w, u2_by_w);
     v_over_w_ = plane(v0_by_w, v1_by_w, v2_by_w);
   }
-  /// Whether the vertices' texture coordinates are near enough to each other for words of 32 bits, and their 1/w has
+  /// True if the vertices' texture coordinates are near enough to each other for words of 32 bits, and their 1/w has
   /// less than 60: nothing is shifted by 32 or more then. Only where they `may_be_far` the coordinates are read.
   template <class Vertex>
   static bool fits_words(const Vertex* const (&v)[3], std::int64_t depth_offset, bool may_be_far) {
     if (static_cast<std::uint32_t>(depth_offset >> 32) >> 27 != 0) return false;
     if (!may_be_far) return true;
-    // Of halves, because differences of whole ones need 33 bits.
+    // Halves are compared, because differences of whole ones need 33 bits.
     const auto near = [](std::int32_t a, std::int32_t b) {
       return (static_cast<std::uint32_t>((a >> 1) - (b >> 1)) + (std::uint32_t{1} << 29)) >> 30 == 0;
     };
@@ -91,7 +91,7 @@ class TextureCoordinates {
     if constexpr (!orthographic) place.one_over_w = one_over_w_.at(columns, rows);
     return place;
   }
-  /// The same as place() of a pixel that is so many columns further to the right: sums modulo 2^32 are exact.
+  /// Returns place() of a pixel that is so many columns further to the right, exactly: sums are modulo 2^32.
   Place right_of(Place place, std::int32_t columns) const {
     const auto count = static_cast<std::uint32_t>(columns);
     place.u_over_w += u_over_w_.step_x * count;
@@ -100,7 +100,7 @@ class TextureCoordinates {
     return place;
   }
 
-  /// Of whole runs: the place of their first pixel, and what the assembly needs beside it.
+  /// Starts whole runs: the place of their first pixel, and what the assembly needs beside it.
   void start_runs(TexturedRunsState& state, const Place& place, TexelPosition from, std::uint32_t columns) const {
     state.u_over_w = place.u_over_w, state.v_over_w = place.v_over_w, state.one_over_w = place.one_over_w;
     state.u_over_w_step = u_over_w_.step_x * columns, state.v_over_w_step = v_over_w_.step_x * columns;
@@ -124,7 +124,7 @@ class TextureCoordinates {
   [[gnu::always_inline]] TexelPosition at(const Place& place) const {
     return position(place, base_u_, base_v_, 30 - shift_);
   }
-  /// The same of a TexturedScan's values.
+  /// As above, from a TexturedScan's values.
   [[gnu::always_inline]] static TexelPosition position(const Place& place, std::int32_t base_u, std::int32_t base_v,
                                                        std::int32_t right_shift) {
     const auto u = static_cast<std::int32_t>(place.u_over_w);
@@ -145,7 +145,7 @@ class TextureCoordinates {
     return at(place(columns, rows));
   }
 
-  /// The same with its footprint: the derivatives of u and v, by the same division.
+  /// As above, with the footprint: the derivatives of u and v, by the same division.
   TexelFootprint footprint_at(std::int32_t columns, std::int32_t rows) const {
     const Place there = place(columns, rows);
     const auto step = [&](std::uint32_t Plane::*direction) {

@@ -17,11 +17,11 @@ DepthFit fit_to(const DistanceRange& reach, const Camera& camera);
 /// Picture pixels that the instance's bounding box can cover, cut to the view.
 Rect bounds_of(const CompiledInstance& instance, const RasterOrigin& origin, const View& view, bool orthographic);
 
-/// The same, and `border` pixels around them.
+/// As bounds_of, with `border` pixels around them.
 Rect bounds_with_border(const CompiledInstance& instance, std::int32_t border, const RasterOrigin& origin,
                         const View& view, bool orthographic);
 
-/// What a meshlet's bounding sphere can cover: pixels as bounds_of gives them, and the nearest depth code.
+/// The pixels that a meshlet's bounding sphere can cover, as bounds_of gives them, and the nearest depth code.
 struct SphereBounds {
   Rect box;
   std::uint32_t nearest;

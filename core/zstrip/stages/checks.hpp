@@ -9,10 +9,10 @@
 
 namespace zstrip::detail {
 
-/// Of begin_frame, for a renderer with `effects`; not the index arrays, which validate() has seen.
+/// Checks a request of begin_frame, for a renderer with `effects`; not the index arrays, which validate() has seen.
 Status check_request(const Scene& scene, const SceneCounts& counts, const Camera& camera, const View& view,
                      const Plan& plan, Effects called_for, Effects effects, std::span<std::byte> arena);
-/// Of draw_strip.
+/// Checks a request of draw_strip.
 Status check_strip(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels);
 /// Where the frame is one of samples, and `pixels` those of the display.
 Status check_strip_of_samples(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels);
@@ -23,7 +23,7 @@ inline Status check_strip_number(const FrameState& frame, std::uint16_t strip) {
   }
   return {};
 }
-/// Whether `pixels` has room for `area` of the picture.
+/// Checks that `pixels` has room for `area` of the picture.
 inline Status check_room(const Rect& area, PixelFormat format, std::span<const std::byte> pixels) {
   const auto rows = static_cast<std::uint32_t>(area.height());
   const std::uint32_t needed = rows * bytes_per_row(static_cast<std::uint16_t>(area.width()), format);
@@ -37,6 +37,6 @@ inline Status check_room(const Rect& area, PixelFormat format, std::span<const s
   return {};
 }
 
-/// Of draw_over: whether `area` lies in the picture, and has so many pixels and depths.
+/// Checks a request of draw_over: `area` lies in the picture, and has so many pixels and depths.
 Status check_area(const FrameState& frame, const Rect& area, std::size_t pixels, std::size_t depths);
 }  // namespace zstrip::detail

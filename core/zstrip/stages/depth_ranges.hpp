@@ -9,7 +9,7 @@
 
 namespace zstrip::detail {
 
-/// What is known of the z-buffer's memory between strips: its first cells hold no code above the current sub-range.
+/// State of the z-buffer's memory between strips: its first cells hold no code above the current sub-range.
 /// Rectangles move, but the cells of each are the first ones, so that a count is enough.
 class DepthRanges {
  public:

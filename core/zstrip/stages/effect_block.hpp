@@ -1,4 +1,4 @@
-// What effects keep from begin_frame to the strips: the last part of the arena, which only plans with such effects
+// The data that effects keep from begin_frame to the strips: the last part of the arena, which only plans with such
 // have.
 #pragma once
 

@@ -19,7 +19,7 @@ inline void abandon(FrameState& frame) {
   frame.next_to_last_strip = 0;
 }
 
-/// Of a part of the plan, in bytes.
+/// Returns the error for a part of the plan; both numbers are bytes.
 constexpr Status too_small(Purpose purpose, std::uint64_t needed, std::uint32_t available) {
   return {.error = Error::arena_too_small,
           .purpose = purpose,
@@ -38,10 +38,10 @@ inline void start(FrameState& frame, const View& view, const Plan& plan, std::sp
   lay_out_arena(frame, arena);
 }
 
-/// What is known of the frame before its instances. `counts`: of the scene that is drawn.
+/// Prepares the frame before its instances. `counts`: of the scene that is drawn.
 void begin_instances(FrameState& frame, const SceneCounts& counts, const Camera& camera, const View& view,
                      const DepthFit& fit);
-/// Of an instance that is compiled: whether it can be seen, and the frame's bounds.
+/// Finds if a compiled instance can be seen, and extends the frame's bounds.
 void bound_instance(FrameState& frame, CompiledInstance& instance, const Camera& camera, const View& view);
 /// Compiles the instances, finds the frame's bounds.
 template <Effects effects>

@@ -1,4 +1,4 @@
-// What a frame keeps between begin_frame and its strips. Stages read and write it; applications see a Frame.
+// The data that a frame keeps between begin_frame and its strips. Stages read and write it; applications see a Frame.
 #pragma once
 
 #include <cstddef>
@@ -58,7 +58,7 @@ struct MethodFrameState : RangedFrameState {
   std::byte* depth_bounds = nullptr;
 };
 
-/// What a renderer with these effects holds.
+/// The state that a renderer with these effects holds.
 template <Effects effects>
 using FrameStateFor =
     std::conditional_t<effects.methods != 0, MethodFrameState,

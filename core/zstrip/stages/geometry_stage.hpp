@@ -62,7 +62,7 @@ struct GeometryStage {
     return mesh;
   }
 
-  /// The same, with what drawing it needs beside.
+  /// As above, and prepares the data that only drawing needs.
   template <Effects effects>
   static BatchOf<effects> batch_for(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
                                     std::uint32_t cache) {
@@ -117,7 +117,7 @@ struct GeometryStage {
     }
   }
 
-  /// What bins keep of vertices in shadow beside what `shade` has given them.
+  /// Makes the second colours of vertices, those in shadow, which bins keep beside the colours of `shade`.
   template <Effects effects>
   static void retain_shadow(FrameState& frame, const BatchOf<effects>& batch, const MeshletRange& range,
                             std::uint32_t cache) {

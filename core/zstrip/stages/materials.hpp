@@ -1,4 +1,4 @@
-// What the raster stage gets of an instance's material: surface, depth settings, fragment settings.
+// The parts of an instance's material for the raster stage: surface, depth settings, fragment settings.
 #pragma once
 
 #include <algorithm>

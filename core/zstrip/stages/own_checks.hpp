@@ -10,7 +10,7 @@
 
 namespace zstrip::detail {
 
-/// What only some renderers need of a request.
+/// Checks of a request that only some renderers need.
 template <Effects effects>
 Status check_own_request(const FrameRequest& request) {
   [[maybe_unused]] const Plan& plan = request.plan;
@@ -34,7 +34,7 @@ Status check_own_request(const FrameRequest& request) {
   return {};
 }
 
-/// Of draw_strip.
+/// As above, for draw_strip.
 template <Effects effects>
 Status check_strip(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
   if constexpr (effects.has(effect::supersampled)) return check_strip_of_samples(frame, strip, pixels);

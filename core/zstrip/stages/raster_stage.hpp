@@ -99,7 +99,7 @@ struct RasterStage {
           meshlet_range(frame.scene->meshes[frame.instances[retained.instance].mesh], retained.meshlet);
       const auto batch =
           GeometryStage::batch_for<effects>(frame, retained.instance, range.first_vertex, retained.first_vertex);
-      // What is clipped or lit by pixel reads more than the cache has.
+      // Triangles that are clipped or lit by pixel read more than the cache has.
       if (!retained.all_narrow || effects.has(effect::pixel_shading)) GeometryStage::move<effects>(batch, range);
       Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, list, retained.all_narrow);

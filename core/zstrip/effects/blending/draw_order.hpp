@@ -16,7 +16,7 @@ struct DrawOrder {
 };
 static_assert(sizeof(DrawOrder) == Effect::kPlaceBytes);
 
-/// Of a frame in which something blends.
+/// Returns the order of a frame in which something blends.
 inline std::span<DrawOrder> order_of(const FrameState& frame) {
   const EffectBlock block = effect_block(frame);
   return {block.at<Effect, DrawOrder>(), block.instances()};

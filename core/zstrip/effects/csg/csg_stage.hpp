@@ -25,7 +25,7 @@ struct Stage : NoStage {
   static Status check(const FrameRequest& request) {
     return request.called_for.has(effect::csg) ? check_memory(request, depth_cell_bytes(effects)) : Status{};
   }
-  /// Of a frame whose instances are prepared: no other stage draws operands then.
+  /// Draws the operands of a frame whose instances are prepared; no other stage does.
   template <Effects effects>
   static Status prepare(FrameState& frame, const FrameRequest& request) {
     if (!request.called_for.has(effect::csg)) return {};
@@ -164,7 +164,7 @@ struct Stage : NoStage {
       found_ = counts_ + cells;
     }
 
-    /// Of operands `first` to `end`: where it is nearer than the z-buffer, it is there then.
+    /// Finds the layer of operands `first` to `end`: where it is nearer than the z-buffer, it is there then.
     void find(std::size_t first, std::size_t end) {
       for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(found_ + at, columns, 0); });
       for (std::size_t i = first; i < end; ++i) {
@@ -263,7 +263,7 @@ struct Stage : NoStage {
       });
     }
 
-    /// What is left of the layer is seen, and hides all layers behind it.
+    /// The rest of the layer is seen, and hides all layers behind it.
     void accept() {
       for_each_row([&](std::int32_t at, std::int32_t columns) {
         for (std::int32_t i = at; i < at + columns; ++i) {

@@ -8,7 +8,7 @@
 namespace zstrip::detail::csg {
 namespace {
 
-/// Of an instance, among those of all instances in the order of drawing.
+/// Returns the number of an instance's first meshlet, among those of all instances in the order of drawing.
 std::uint32_t first_meshlet(const FrameState& frame, std::uint32_t instance) {
   const Scene& scene = *frame.scene;
   std::uint32_t first = 0;

@@ -6,7 +6,7 @@
 
 namespace zstrip::detail::csg {
 
-/// Of an operand.
+/// The bounds of an operand.
 struct CsgBounds {
   std::uint16_t left, top, right, bottom;  ///< pixels of the picture that it can cover; nothing if it cannot be seen
   std::uint32_t first_meshlet;             ///< among those of all instances
@@ -21,24 +21,24 @@ struct CsgState {
 };
 static_assert(sizeof(CsgState) == Effect::kStateBytes);
 
-// Of a frame with operands.
+// Returns the state of a frame with operands.
 inline CsgState& state_of(const FrameState& frame) { return *effect_block(frame).at<Effect, CsgState>(); }
 inline CsgBounds& bounds_of(const FrameState& frame, std::size_t operand) {
   return effect_block(frame).at<Effect, CsgBounds>(Effect::kStateBytes)[operand];
 }
-/// What strips may use, behind all operands.
+/// Returns the memory that strips may use, behind all operands.
 inline std::byte* strip_memory(const FrameState& frame) {
   return reinterpret_cast<std::byte*>(&bounds_of(frame, frame.scene->csg.size()));
 }
 
-/// Of a plan for a scene that has CSG; `cell_bytes`: of the z-buffer.
+/// Checks a plan for a scene that has CSG. `cell_bytes`: of the z-buffer.
 Status check_memory(const FrameRequest& request, std::uint32_t cell_bytes);
 
 /// Before the strips.
 void prepare_operands(FrameState& frame, const Camera& camera);
 /// No other stage draws operands.
 void hide_operands(FrameState& frame);
-/// What light and environment maps take for the normals of an instance turns round; twice, and it is as before.
+/// Inverts the normals of an instance for light and environment maps; a second call restores them.
 void turn_normals(const FrameState& frame, std::uint32_t instance);
 
 }  // namespace zstrip::detail::csg

@@ -115,7 +115,7 @@ class EdgeBlend {
   template <bool columns>
   static void walk(const EdgeTarget& target, const End& low, const End& high, const EdgeTarget::Surface& surface) {
     const Rect& area = target.area;
-    // Of pixels whose middles lie between the ends; of two edges that meet only one has the middle in which they do.
+    // Takes pixels whose middles lie between the ends; of two edges that meet only one has the middle in which they do.
     const std::int32_t first = std::max(low.along >> 4, columns ? area.left : area.top);
     const std::int32_t end = std::min(high.along >> 4, columns ? area.right : area.bottom);
     if (first >= end) return;

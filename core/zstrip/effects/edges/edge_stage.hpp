@@ -1,4 +1,4 @@
-// What effect::edges adds to the stages of a frame: before the strips, which edges show and in which strips; after a
+// The hooks of effect::edges in the stages of a frame: before the strips, which edges show and in which strips; after a
 // strip, which was drawn with an apron, the edges in it are blended.
 #pragma once
 
@@ -147,7 +147,7 @@ struct Stage : NoStage {
     box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
   }
 
-  /// Whether an edge shows; then extends `box` by its pixels.
+  /// Returns true if an edge shows; then extends `box` by its pixels.
   template <bool orthographic, class Cache>
   [[gnu::noinline]] static bool survey_edge(const EdgeProjection<orthographic>& projection, const Edge& edge,
                                             Cache& cache, Rect& box) {

@@ -44,8 +44,8 @@ struct EdgeProjection {
     return snapped;
   }
 
-  /// Of a face that leaves the narrow range or the depth range: twice the area of what is left of it, and in `third`
-  /// its corner that lies farthest from the edge `ends`. Not inlined: what it needs of the stack is free again then.
+  /// For a face that leaves the narrow range or the depth range: twice the area of what is left of it, and in `third`
+  /// its corner that lies farthest from the edge `ends`. Not inlined: its part of the stack is free again then.
   [[gnu::noinline]] std::int64_t clipped_face(const std::uint16_t (&corners)[3], const SnappedSegment& ends,
                                               WidePosition& third) const {
     ClipPolygon clipped;
@@ -126,7 +126,7 @@ template <bool orthographic>
   return show(seen, edge, left, right, projection.instance.double_sided);
 }
 
-/// Whether an edge shows, by its corners, all of them narrow. `right`: of an edge with two faces.
+/// Returns true if an edge shows, by its corners, all of them narrow. `right`: of an edge with two faces.
 inline bool shows(const Edge& edge, const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& left,
                   const SnappedVertex* right, bool double_sided) {
   const std::int32_t dx = b.x - a.x, dy = b.y - a.y;
@@ -147,7 +147,7 @@ inline bool shows(const Edge& edge, const SnappedVertex& a, const SnappedVertex&
     const std::int32_t dx = vertices[b].x - ax, dy = vertices[b].y - ay;
     const std::int32_t of_left = (vertices[left].x - ax) * dy - (vertices[left].y - ay) * dx;
     const std::int32_t of_right = (vertices[right].y - ay) * dx - (vertices[right].x - ax) * dy;
-    // Whether just one of them is positive, by the sign of their negatives.
+    // True if just one of them is positive, by the sign of their negatives.
     if ((-of_left ^ -of_right) < 0 || a > b) return edge;
   }
   return edge;

@@ -12,7 +12,7 @@
 
 namespace zstrip::detail {
 
-/// What an instance's vertices need: the camera's axes (x to the right, y up, z back) seen from the mesh.
+/// Values for an instance's vertices: the camera's axes (x to the right, y up, z back) seen from the mesh.
 struct EyeForms {
   LinearForm x, y, z;         ///< from a position to the eye, of any scale, below 2^30
   std::int16_t normal[3][3];  ///< rows, 1.14: object to view, without its scale
@@ -53,7 +53,8 @@ constexpr MirroredPoint mirrored_point(const EyeForms& forms, const Position& po
   return {rim.x, rim.y};
 }
 
-/// Of 15 bits. The ball's rim goes through the middle of the texels at the edge, so that no texel is repeated.
+/// Returns coordinates of 15 bits. The ball's rim goes through the middle of the texels at the edge, so that no texel
+/// is repeated.
 constexpr TexCoord texcoord_of(const MirroredPoint& point, std::uint8_t log2_width, std::uint8_t log2_height) {
   const auto coordinate = [](std::int32_t c, std::uint8_t log2_size) {
     return static_cast<std::int16_t>((1 << 14) + c - (c >> log2_size));

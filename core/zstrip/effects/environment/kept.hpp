@@ -1,4 +1,4 @@
-// What a frame keeps of environment maps.
+// The data that a frame keeps of environment maps.
 #pragma once
 
 #include "zstrip/effects/environment/effect.hpp"
@@ -14,7 +14,7 @@ struct FrameReflections {
 };
 static_assert(sizeof(FrameReflections) == Effect::kFrameBytes && sizeof(EyeForms) == Effect::kEyeFormsBytes);
 
-// Of a frame in which something has an environment map.
+// Returns the data of a frame in which something has an environment map.
 inline FrameReflections& reflections_of(const FrameState& frame) {
   return *effect_block(frame).at<Effect, FrameReflections>();
 }

@@ -106,7 +106,7 @@ class LineFill {
 
   /// The pixel in which a coordinate lies.
   static std::int32_t pixel_of(std::int32_t coordinate) { return (coordinate - kCentreBias) >> 4; }
-  /// What pixel_of makes the first of `width` pixels around `coordinate`.
+  /// Returns the coordinate that pixel_of makes the first of `width` pixels around `coordinate`.
   static std::int32_t before(std::int32_t coordinate, std::int32_t width) { return coordinate - 8 * (width - 1); }
 
   /// `width` pixels of the picture in columns, or rows, of what is drawn.

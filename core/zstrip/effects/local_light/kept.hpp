@@ -1,4 +1,4 @@
-// What a frame keeps of light that depends on where a vertex is.
+// The data that a frame keeps of light that depends on where a vertex is.
 #pragma once
 
 #include "zstrip/effects/local_light/local_light.hpp"
@@ -6,7 +6,7 @@
 
 namespace zstrip::detail::local_light {
 
-// Of a frame with highlights or punctual lights.
+// Returns the data of a frame with highlights or punctual lights.
 inline FrameLights& lights_of(const FrameState& frame) { return *effect_block(frame).at<Effect, FrameLights>(); }
 inline InstanceShading& shading_of(const FrameState& frame, std::size_t instance) {
   return effect_block(frame).at<Effect, InstanceShading>(Effect::kFrameLightsBytes)[instance];

@@ -78,7 +78,7 @@ constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& fr
   return gain;
 }
 
-/// What the frame's local light needs of an instance.
+/// Values of an instance for the frame's local light.
 struct InstanceShading {
   LinearForm x, y, z;         ///< WorldPoint of a position
   std::int16_t normal[3][3];  ///< rows, 1.14: object to world, without its scale
@@ -117,7 +117,7 @@ struct LitPoint {
   bool shines;
   LightSum diffuse{0, 0, 0}, highlights{0, 0, 0};
 
-  /// Of light with the factor `gain`, from `towards`.
+  /// Adds the highlight of light with the factor `gain`, from `towards`.
   void add_highlight(const UnitVector& towards, const Colour& colour, Gain gain) {
     if constexpr (effects.has(effect::specular)) {
       if (!shines || dot(normal, towards) <= 0) return;
@@ -127,7 +127,7 @@ struct LitPoint {
       highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
     }
   }
-  /// Of a directional light, whose other part does not depend on the position.
+  /// Adds the highlight of a directional light, whose other part does not depend on the position.
   void add_highlight(const DirectionalLight& light) {
     add_highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
   }

@@ -1,4 +1,4 @@
-// What an outline's vertices are moved by, once an instance and frame.
+// Computes how far an outline's vertices are moved, once an instance and frame.
 #include "zstrip/effects/outlines/outline.hpp"
 
 #include <bit>

@@ -82,7 +82,7 @@ template <bool orthographic, DepthFormat format>
   return all_narrow;
 }
 
-/// What a hull of an outline `width` (1/16 pixels) wide adds to the distances that its box spans.
+/// Adds the distances of a hull, of an outline `width` (1/16 pixels) wide, to those that its box spans.
 DistanceRange with_outline(const DistanceRange& range, std::uint16_t width, const Camera& camera, const View& view);
 
 /// Makes an outline of its compiled hull. `view`: of samples where there are several.

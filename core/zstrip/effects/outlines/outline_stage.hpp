@@ -20,7 +20,7 @@ struct OutlinedScene {
 };
 static_assert(sizeof(OutlinedScene) <= Effect::kSceneBytes);
 
-/// Of a frame with outlines.
+/// Returns the data of a frame with outlines.
 inline OutlinedScene* outlined_of(const FrameState& frame) { return effect_block(frame).at<Effect, OutlinedScene>(); }
 
 /// Gives the scene its outlines' hulls as instances and takes the outlines away; all of it lies in the effects' part of
@@ -54,7 +54,7 @@ struct Stage : NoStage {
     if (request.called_for.has(effect::outlines)) make_outlines(frame, request.camera);
     return {};
   }
-  /// Of a hull only the far side, also where front and back of all else are drawn.
+  /// A hull shows only its far side, also where front and back of all else are drawn.
   template <Effects effects>
   static Status prepare(FrameState& frame, const FrameRequest&) {
     if constexpr (methods::culls(effects)) {

@@ -126,7 +126,7 @@ constexpr Cell<2 * scale> doubled(const Cell<scale>& cell) {
   return result;
 }
 
-/// Of 12x16 pixels, 4 bits each: what of four times as many is set.
+/// A font of 12x16 pixels, 4 bits each, is made from one of four times as many pixels.
 constexpr int kLargeWidth = 2 * kCellWidth, kLargeHeight = 2 * kCellHeight;
 struct LargeLetter {
   std::uint8_t coverage[std::size_t{kLargeHeight}][std::size_t{kLargeWidth}] = {};

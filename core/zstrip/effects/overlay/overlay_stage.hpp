@@ -1,4 +1,4 @@
-// What effect::overlay adds to the stages of a frame: a strip's finished pixels are drawn over.
+// The hooks of effect::overlay in the stages of a frame: a strip's finished pixels are drawn over.
 #pragma once
 
 #include "zstrip/effects/overlay/valid_overlay.hpp"

@@ -8,7 +8,7 @@
 
 namespace zstrip {
 
-/// What of an overlay is not valid: Status::available of Error::overlay.
+/// The part of an overlay that is not valid: Status::available of Error::overlay.
 enum class OverlayPart : std::uint8_t { image, font, sprite, label };
 
 namespace detail {
@@ -52,7 +52,7 @@ constexpr Status not_valid(OverlayPart part, std::uint32_t index) {
   return {.error = Error::overlay, .needed = index, .available = static_cast<std::uint32_t>(part)};
 }
 
-/// What may change between frames: begin_frame calls this again.
+/// Checks the parts that may change between frames: begin_frame calls this again.
 constexpr Status validate_items(const Overlay& overlay) {
   for (std::uint32_t i = 0; i < overlay.sprites.size(); ++i) {
     if (overlay.sprites[i].image >= overlay.images.size()) return not_valid(OverlayPart::sprite, i);

@@ -46,7 +46,7 @@ Status light_camera(Camera& camera, const LightReach& reach, std::uint32_t side)
   half_x = std::max(half_x, std::max<std::int64_t>(larger >> 6, 256));
   half_y = std::max(half_y, std::max<std::int64_t>(larger >> 6, 256));
   const std::int64_t focal = (std::int64_t{1} << 32) / std::min(half_x, half_y) + 1;
-  // What is flat from the light has a depth, too, or a code would be less than the bits of a position.
+  // A scene that is flat from the light has a depth, too, or a code would be less than the bits of a position.
   const std::int64_t reach_away = ((reach.along[2].farthest - reach.along[2].nearest) >> kToFixed) + 2;
   const std::int64_t depth = std::max(reach_away, larger >> 4);
   const std::int64_t near = std::max<std::int64_t>(depth >> 4, 64);

@@ -8,7 +8,7 @@ namespace {
 
 Scaled3 axis_of(const Vec3& axis) { return {Scaled(axis.x, -30), Scaled(axis.y, -30), Scaled(axis.z, -30)}; }
 
-/// Of an axis of any length the vector whose product with it is 1; 0 if it has none.
+/// Returns, for an axis of any length, the vector whose product with it is 1; 0 if it has none.
 Scaled3 dual(const Scaled3& axis) {
   const Scaled square = dot(axis, axis);
   if (square.sign() == 0) return {};
@@ -21,7 +21,7 @@ struct MapAxis {
   Scaled at;
 };
 
-/// The same over the picture, with its pixels and its distance w: offset + w (x, y, 1) for perspective, else
+/// As above, over the picture, with its pixels and its distance w: offset + w (x, y, 1) for perspective, else
 /// offset + x + y + w.
 struct PixelAxis {
   Scaled offset, x, y, w;

@@ -86,7 +86,7 @@ struct Stage : NoStage {
     const Statistics counted = frame.statistics;
     Colour* const lit = frame.colours;
     if (frame.mode == Mode::binned) frame.colours = state.colours_in_shadow;
-    // What runs hand on to the next strip is drawn in all light.
+    // Triangles that runs hand on to the next strip are drawn in all light.
     const Bins bins = frame.bins;
     frame.bins = bins.without_spare();
     leave_light<effects>(frame, -1);
@@ -128,7 +128,7 @@ struct Stage : NoStage {
   template <Effects casting>
   static void draw_casters(FrameState& light, const StripTargetWithDepth& target, std::uint16_t strip) {
     if constexpr (casting.has(effect::quadrics)) {
-      // Of what is closed the far side: it shadows all that the near one does, and that one never itself.
+      // Closed shapes draw the far side: it shadows all that the near one does, and never itself.
       StripTargetWithDepth unbiased{target, {}};
       const CompiledQuadric* const quadrics = quadrics::compiled(light, *light.scene);
       for (std::size_t i = 0; i < light.scene->quadrics.size(); ++i) {

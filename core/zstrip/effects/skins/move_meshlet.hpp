@@ -10,7 +10,7 @@ namespace zstrip::detail::skins {
 /// where it has no skin that has been posed. Until the next call for this skin.
 const Mesh& begin_meshlet(const Mesh& mesh, std::uint32_t first_vertex);
 
-// Of a mesh that begin_meshlet has returned. Where that is not a skin's they do nothing.
+// Both are for a mesh that begin_meshlet has returned. If it is not a skin's they do nothing.
 /// `range`: the meshlet's.
 void move_positions(const Mesh& mesh, const MeshletRange& range);
 /// `range`: of any vertices of the meshlet.

@@ -16,7 +16,7 @@
 
 namespace zstrip::detail::skins {
 
-/// Whether nothing but light reads the normals of vertices.
+/// True if only light reads the normals of vertices.
 constexpr bool lights_seen_vertices(Effects effects) {
   return effects.has(effect::skins) && has_vertex_colours(effects) &&
          !effects.any(effect::outlines | effect::pixel_shading | effect::environment);
@@ -75,7 +75,7 @@ void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, co
     count = 0;
   };
   Facing<effects>::for_each(batch, range.triangles, true, [&](std::uint32_t index, const auto& covered) {
-    // What has no pixel between its columns is rare here, and left out later.
+    // A triangle without a pixel between its columns is rare here, and left out later.
     if (std::max(covered.top(), area.top) >= std::min(covered.bottom(), area.bottom)) return true;
     const Triangle& triangle = range.triangles[index];
     vertices.want(triangle.a - range.first_vertex);

@@ -1,4 +1,4 @@
-// Whether all that lies in the box of an instance is narrow, whatever its vertices are.
+// Finds if all that lies in the box of an instance is narrow, whatever its vertices are.
 #pragma once
 
 #include "zstrip/geometry/project.hpp"
