@@ -1,4 +1,4 @@
-// What applications may read of a frame, Renderer::frame(): bounds, depth, statistics. Comes with renderer.hpp.
+// The frame as applications may read it, Renderer::frame(): bounds, depth, statistics. Comes with renderer.hpp.
 #pragma once
 
 #include <cstdint>
@@ -39,10 +39,10 @@ class Frame {
   /// Where depth() lies in the picture: pixels.
   const Rect& depth_area() const { return state_->depth_area; }
 
-  /// Whether depth() holds 16-bit codes of which 0 alone is cleared: not with 32-bit formats, sub-ranges or shadows.
+  /// True if depth() holds 16-bit codes of which 0 alone is cleared: not with 32-bit formats, sub-ranges or shadows.
   bool has_plain_depth() const { return !state_->has_special_depth; }
 
-  /// Whether `strip` is the one that this frame drew last: whose depth depth() is.
+  /// True if `strip` is the one that this frame drew last: depth() is its depth.
   bool drew_last(std::uint16_t strip) const { return state_->next_to_last_strip == strip + 1U; }
 
  protected:
@@ -76,7 +76,7 @@ class FrameWithMethod : public FrameWithDepthRanges {
   const VisibilityOptions& options() const { return state<detail::MethodFrameState>().options; }
   /// Zeros without effect::statistics.
   const VisibilityStatistics& visibility() const { return state<detail::MethodFrameState>().counts; }
-  /// Of the strip drawn last, with a method that keeps bounds of depth: the farthest code that is known of the 8x8
+  /// With a method that keeps bounds of depth, in the strip drawn last: the farthest code that is known of the 8x8
   /// cells around a pixel of depth_area(), which was drawn into.
   std::uint16_t farthest_known(std::int32_t x, std::int32_t y) const {
     return state<detail::MethodFrameState>().state.bounds.farthest_at(x - (view().width >> 1),
@@ -91,7 +91,7 @@ template <class Base>
 class FrameOfSamples : public Base {
  public:
   using Base::Base;
-  /// Of pixels, rounded outwards.
+  /// In pixels, rounded outwards.
   Rect bounds() const { return detail::pixels_of(Base::bounds(), Base::view()); }
   /// As given to begin_frame.
   View view() const { return detail::view_of_pixels(Base::view()); }
@@ -106,7 +106,7 @@ using PlainFrameFor =
                        std::conditional_t<effects.has(effect::depth_ranges), FrameWithDepthRanges, Frame>>;
 }  // namespace detail
 
-/// What a renderer with these effects shows.
+/// The frame of a renderer with these effects.
 template <Effects effects>
 using FrameFor = std::conditional_t<effects.has(effect::supersampled), FrameOfSamples<detail::PlainFrameFor<effects>>,
                                     detail::PlainFrameFor<effects>>;

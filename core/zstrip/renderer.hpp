@@ -50,7 +50,7 @@ class Renderer {
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
     return detail::draw_over<effects>(state_, area, pixels, depth);
   }
-  /// Of what was begun last. Refers to this object.
+  /// Returns the frame that was begun last. It refers to this object.
   FrameFor<effects> frame() const { return FrameFor<effects>(state_); }
   /// Holds from the next begin_frame on.
   void set_visibility(const VisibilityOptions& options) requires(effects.methods != 0) { state_.options = options; }
@@ -59,7 +59,7 @@ class Renderer {
   detail::FrameStateFor<effects> state_;
 };
 
-/// The same for programs that learn the effects at run time: one indirect call a frame and strip.
+/// A renderer for programs that learn the effects at run time: one indirect call a frame and strip.
 class AnyRenderer {
  public:
   /// Takes the pipeline for exactly these effects; with a depth effect one that has all others as well, which draws
@@ -80,7 +80,7 @@ class AnyRenderer {
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
     return pipeline_.draw_over(state_, area, pixels, depth);
   }
-  /// Of what was begun last. Refers to this object.
+  /// Returns the frame that was begun last. It refers to this object.
   FrameOfSamples<FrameWithMethod> frame() const { return FrameOfSamples<FrameWithMethod>(state_); }
   /// Holds from the next begin_frame on; without a method it has no effect.
   void set_visibility(const VisibilityOptions& options) { state_.options = options; }

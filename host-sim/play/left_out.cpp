@@ -1,5 +1,5 @@
-// What a page does without: meshes that Draco has compressed and the workload R10k, which are refused, threads, and
-// signals: a trap ends the module, and the page says so.
+// The parts that a page does without: meshes that Draco has compressed and the workload R10k, which are refused,
+// threads, and signals: a trap ends the module, and the page says so.
 #include "play/left_out.hpp"
 #include "import/crash_guard.hpp"
 #include "import/gltf/draco_meshes.hpp"

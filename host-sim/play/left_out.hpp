@@ -1,4 +1,4 @@
-// What of the command a page does without.
+// The parts of the command that a page does without.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What the page calls: the command, and the viewer without a window. One scene is open at a time.
+// The functions that the page calls: the command, and the viewer without a window. One scene is open at a time.
 #include <emscripten.h>
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of visibility methods a page has only what counts how often pixels are drawn.
+// The page has no visibility methods, but counts how often pixels are drawn.
 [[maybe_unused]] const bool kCounts = (use_overdraw_counts(), true);
 
 std::optional<Viewer> viewer;
@@ -166,7 +166,7 @@ EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
   });
 }
 
-/// Of the frame that was drawn last: four bytes a pixel, or the file that `zstrip render` writes.
+/// Returns the frame that was drawn last: four bytes a pixel, or the file that `zstrip render` writes.
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* zstrip_pixels() { return rgba.data(); }
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* zstrip_png() { return viewed.png.data(); }
 EMSCRIPTEN_KEEPALIVE std::size_t zstrip_png_bytes() { return viewed.png.size(); }

@@ -1,4 +1,4 @@
-// What is told about a baked scene, in words and as JSON.
+// The record of a baked scene, in words and as JSON.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What is told about a run, in words and as JSON.
+// The record of a run, in words and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace zstrip::sim {
 
-/// What a simulated panel's bus had to do for a frame.
+/// The work of a simulated panel's bus for a frame.
 struct BusUse {
   std::uint64_t bytes = 0;
   std::int64_t nanoseconds = 0;

@@ -12,7 +12,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// What a method's bytes are for.
+/// Returns the purpose of a method's bytes.
 std::string_view purpose_of(Effects method) {
   if (sorts_triangles(method) && method.any(method::bounded)) return "sorting and bounds of depth";
   return name(detail::visibility_purpose(method));

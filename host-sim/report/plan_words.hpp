@@ -21,8 +21,8 @@ std::array<std::pair<Purpose, std::uint32_t>, 7> by_purpose(const Plan& plan);
 /// "1,234 bytes (instances 160, depth 1,074), and 512 for the pixels of a strip".
 std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Effects method);
 
-/// What a method of visibility takes and saves in a plan: "painter: 800 bytes for sorting, 30,720 bytes of z-buffer
-/// saved".
+/// Says how many bytes a visibility method takes and saves in a plan: "painter: 800 bytes for sorting, 30,720 bytes of
+/// z-buffer saved".
 std::string visibility_words(const Plan& plan, Effects method);
 
 /// Names of those of `effects` that estimated_cost knows no price of.

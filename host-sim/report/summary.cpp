@@ -23,7 +23,7 @@ std::string range(const RunRecord& run, Value value) {
   return least == most ? grouped(least) : fmt::format("{} to {}", grouped(least), grouped(most));
 }
 
-/// What the bus takes for a frame, and so how many frames a second it can show at most.
+/// Returns the time of the bus for a frame, and how many frames a second it allows at most.
 std::string panel(const RunRecord& run) {
   const BusUse& most =
       std::ranges::max_element(run.frames, {}, [](const FrameRecord& frame) { return frame.bus.nanoseconds; })->bus;
@@ -48,7 +48,7 @@ std::string bounds(const RunRecord& run) {
                      all.width(), all.height());
 }
 
-/// Of the frame with the worst pixel.
+/// Describes the frame with the worst pixel.
 std::string heat_words(const RunRecord& run) {
   const FrameRecord& worst = *std::ranges::max_element(
       run.frames, {}, [](const FrameRecord& frame) { return frame.heat ? frame.heat->worst : 0; });

@@ -1,4 +1,4 @@
-// What the implementations of the kernels of medium triangles share: the triangle, and the values that a scan of its
+// Data of the kernels of medium triangles, for all implementations: the triangle, and the values that a scan of its
 // rows steps.
 #pragma once
 
@@ -20,11 +20,11 @@ struct MediumTriangle {
   std::int32_t area;  ///< twice the signed area, > 0
 };
 
-/// Whether words of 32 bits suffice for the planes of a triangle, but for channels that change steeply: where the
+/// True if words of 32 bits suffice for the planes of a triangle, but for channels that change steeply: where the
 /// longer side of its box, of `width` and `height`, is its base it is a quarter of a pixel high, and its vertices'
 /// depths are within half of the range. For Thumb-1 it is an eighth high, and sides are below 512 pixels.
 inline bool fits_words(const MediumTriangle& t, std::int32_t width, std::int32_t height) {
-  // Of halves, because differences of whole depths need 33 bits.
+  // Halves are compared, because differences of whole depths need 33 bits.
   const auto near_first = [&t](const SnappedVertex& v) {
     return static_cast<std::int32_t>((t.v0.depth >> 1) - (v.depth >> 1) + (std::uint32_t{1} << 30));
   };
@@ -65,7 +65,7 @@ struct MediumRows {
   }
 };
 
-/// What all planes of a triangle share in assembly, in the order of its registers.
+/// Values that all planes of a triangle share in assembly, in the order of its registers.
 struct SharedOfPlanes {
   std::int32_t mantissa;                          ///< of 1 / area
   std::int32_t down_2, right_2, down_1, right_1;  ///< shifted weights of vertices 2 and 1

@@ -19,7 +19,7 @@ namespace zstrip::detail {
 /// flash.
 inline constexpr bool kHasMediumTextured = !kForSize;
 
-/// What texels need of a vertex.
+/// Values of a vertex for texels.
 struct TexturedVertex {
   std::uint32_t depth;  ///< 16.16 codes
   std::int32_t u, v;    ///< texels, 16.16

@@ -18,15 +18,16 @@
 
 namespace zstrip::detail {
 
-/// Whether the processor has runs that are quicker than a loop over draw_small_triangle; and even runs of one; and runs
+/// True if the processor has runs that are quicker than a loop over draw_small_triangle; and even runs of one; and runs
 /// of triangles of one colour.
 inline constexpr bool kHasSmallRuns = kHasThumb || kHasVectors;
 inline constexpr bool kHasSmallRunsOfOne = kHasThumb;
 inline constexpr bool kHasFlatSmallRuns = kHasVectors;
-/// Whether it has runs that follow the list of a strip.
+/// True if it has runs that follow the list of a strip.
 inline constexpr bool kHasListedRuns = kHasThumb2 && !kForSize;
 
-/// What the triangles of a meshlet share; made of the target, its vertices and colours, and the index of the first.
+/// Values that the triangles of a meshlet share, made of the target, its vertices and colours, and the first one's
+/// index.
 using SmallRun =
     std::conditional_t<kHasThumb, ThumbSmallRun, std::conditional_t<kHasVectors, VectorSmallRun, PortableSmallRun>>;
 

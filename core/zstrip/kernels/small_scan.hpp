@@ -1,4 +1,4 @@
-// What the implementations of the kernel of small triangles share: which triangles are small, and the values that a
+// Data of the kernel of small triangles, for all implementations: which triangles are small, and the values that a
 // scan of one's box steps.
 #pragma once
 
@@ -17,10 +17,10 @@ inline constexpr std::int32_t kSmallExtent = 181;
 /// Depth differences of small triangles stay below 8192 codes, so that 31-bit products keep the promised precision.
 inline constexpr std::uint32_t kSmallDepthDifference = 1U << 29;  // 16.16
 
-/// Whether this triangle may be drawn by draw_small_triangle. Depends on the triangle alone, never on the strip.
+/// Returns true if draw_small_triangle may draw this triangle. Depends on the triangle alone, never on the strip.
 inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVertex& a, const SnappedVertex& b,
                      const SnappedVertex& c) {
-  // Of halves, because differences of whole depths need 33 bits.
+  // Halves are compared, because differences of whole depths need 33 bits.
   const auto near_a = [&a](const SnappedVertex& v) {
     return (a.depth >> 1) - (v.depth >> 1) + kSmallDepthDifference / 2 < kSmallDepthDifference;
   };
@@ -83,7 +83,7 @@ struct SmallScan {
     return SmallPlane{start[value], step_x[value], step_y[value]}.at(column, row);
   }
 
-  /// What a stage of the set-up has found is in memory from here on. Left alone, GCC mixes the stages and has a dozen
+  /// The result of a stage of the set-up is in memory from here on. Left alone, GCC mixes the stages and has a dozen
   /// registers for all of their values.
   void settle() {
 #if defined(__arm__)

@@ -7,7 +7,7 @@
 
 namespace zstrip::detail {
 
-/// Whether divide_texels_thumb1 does it.
+/// True if divide_texels_thumb1 divides.
 inline constexpr bool kDividesTexelsInAssembly = kHasThumb1 && !kForSize;
 
 }  // namespace zstrip::detail

@@ -33,12 +33,12 @@ template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasVectorRuns =
     kHasVectors&& lit != TexelLight::smooth && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
 
-/// Whether there is fill_runs.
+/// True if there is fill_runs.
 template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasWholeRuns =
     kHasThumbRuns<lit, statistics, Value, Rule> || kHasVectorRuns<lit, statistics, Value, Rule>;
 
-/// Whether the implementation supports the run's texture; for fill_run and fill_runs.
+/// True if the implementation supports the run's texture; for fill_run and fill_runs.
 template <TexelLight lit, bool statistics, class Value, class Rule, class State>
 bool knows_texture([[maybe_unused]] const TexturedRun<lit, statistics, Value, Rule, State>& run) {
   if constexpr (kHasVectorRuns<lit, statistics, Value, Rule>) return fits_vector(run);

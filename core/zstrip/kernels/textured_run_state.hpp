@@ -1,4 +1,4 @@
-// What the implementations of the kernel of texels share: where runs stand.
+// Data of the kernel of texels, for all implementations: where runs stand.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace zstrip::detail {
 
-/// What texels are multiplied by: nothing, one colour, or interpolated colours.
+/// The factor of texels: none, one colour, or interpolated colours.
 enum class TexelLight : std::uint8_t { none, flat, smooth };
 
 /// Most pixels between two exact texture positions: a whole run.

@@ -1,4 +1,4 @@
-// What set-up and rows of medium textured triangles share.
+// Data that set-up and rows of medium textured triangles share.
 #pragma once
 
 #include <cstdint>

@@ -45,7 +45,7 @@ function showAccuracy(accuracy) {
   ]);
 }
 
-// Of a frame, as worker.mjs has drawn it.
+// Shows the figures of a frame that worker.mjs has drawn.
 export function showFigures(figures) {
   const purposes = Object.entries(figures.ram_bytes).filter(([name, bytes]) => name in kPurposes && bytes !== 0);
   const total = purposes.reduce((sum, [, bytes]) => sum + bytes, 0);

@@ -1,9 +1,9 @@
-// What is dropped or chosen: files by their paths beside each other, and which of them is the scene.
+// Files that are dropped or chosen: their paths beside each other, and which of them is the scene.
 
-// Of several files the first kind is the scene.
+// The first kind of these that is among several files is the scene.
 const kScenes = ['.toml', '.glb', '.gltf', '.zsc', '.obj', '.ply', '.stl'];
 
-// Of a folder all that is in it.
+// Returns a file, or all that is in a folder.
 async function filesOf(entry, path = '') {
   if (entry.isFile) {
     const file = await new Promise((resolve, reject) => entry.file(resolve, reject));

@@ -104,7 +104,7 @@ async function openAndDraw() {
   await draw();
 }
 
-// Of a scene that cannot be looked at so there are the colours, and why.
+// A scene that cannot be drawn in this look gets its colours, and the reason.
 async function drawnOrColours() {
   try {
     return {drawn: await call('draw', view), refused: []};
@@ -338,7 +338,7 @@ async function download(name) {
   }
 }
 
-// What the board's files are, and which of them the page can make.
+// Describes the board's files, and which of them the page can make.
 function showPico() {
   const {value: board, selectedOptions: [{text}]} = element('pico');
   for (const each of document.querySelectorAll('.with-program')) each.hidden = !programs.includes(board);
@@ -346,7 +346,7 @@ function showPico() {
   element('pico-program').textContent = kPicoPrograms[board];
 }
 
-// What `zstrip bake` writes.
+// Returns the file that `zstrip bake` writes.
 async function baked(name) {
   const words = bakeWordsOf(settings, name, element('pico').value);
   const program = kPicoPrograms[element('pico').value];

@@ -14,7 +14,7 @@ function mark(strips, lit) {
   });
 }
 
-// What worker.mjs has drawn. Strips with times are shown when these have come; `borders`: around each strip.
+// Shows the picture of worker.mjs. Strips with times are shown when these have come; `borders`: around each strip.
 export function showPicture({figures, pixels}, borders) {
   cancelAnimationFrame(arrival);
   canvas.classList.remove('empty');

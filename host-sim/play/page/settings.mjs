@@ -1,4 +1,4 @@
-// What can be chosen, as the options of the command, as controls of the page and as a link.
+// The settings: options of the command, controls of the page, and parts of a link.
 
 // The first choice is the command's own, for which no option is given. `kind`: choice, flag or text;
 // `isBaked`: `zstrip bake` has it, too.
@@ -73,7 +73,7 @@ export function commandLineOf(words) {
   return ['zstrip', ...words].map((word) => (/^[\w.,:=+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(' ');
 }
 
-// What a link says after its #; settings and view that are as at the start are left out.
+// Returns the part of a link after its #; settings and view that are as at the start are left out.
 export function linkOf(settings, view) {
   const pairs = [['scene', settings.scene ?? '']];
   for (const {name} of kSettings) {

@@ -11,7 +11,7 @@
 
 namespace zstrip::detail {
 
-/// What the triangles of a meshlet share, where the assembly expects it.
+/// Values that the triangles of a meshlet share, where the assembly expects them.
 struct FaceLists {
   std::int32_t for_top, for_bottom;  ///< to be added to y: StripGrid::VertexRows::centre_y, and that less a pixel
   std::uint32_t inverse;
@@ -47,7 +47,7 @@ inline bool list_faces_portable(FaceLists& faces, const Triangle* triangles, std
         vertices + index * sizeof(SnappedVertex));
   };
   const std::int32_t for_top = faces.for_top, for_bottom = faces.for_bottom, end = faces.end;
-  // Of halves, because y has 16 bits: some processors have no long product.
+  // Halves are multiplied, because y has 16 bits: some processors have no long product.
   const std::uint32_t inverse_high = faces.inverse >> 16, inverse_low = faces.inverse & 0xFFFF;
   const auto strip_at = [inverse_high, inverse_low](std::int32_t y) {
     const auto positive = static_cast<std::uint32_t>(y);

@@ -16,7 +16,7 @@
 namespace zstrip::detail {
 namespace {
 
-/// Those of texture coordinates are three, of which one alone is to be code, if it is more than some multiplications.
+/// The three planes of texture coordinates call one function, which is more than some multiplications.
 class CalledPlanes : public MediumPlanes {
  public:
   using MediumPlanes::MediumPlanes;
@@ -142,14 +142,14 @@ struct RowsLeft : TriangleRows {
     return true;
   }
 
-  /// Whether there are any: those of the second part after those of the first one.
+  /// Returns true if there are any: rows of the second part follow those of the first one.
   bool has_more(const MediumTriangle& t) {
     if (row >= end) return false;
     if (count <= 0) begin_second(edges, t), count = end - row;
     return true;
   }
 
-  /// Whether one has pixels; goes down to it.
+  /// Returns true if a row has pixels; goes down to it.
   bool has_pixels(const MediumTriangle& t) {
     while (has_more(t)) {
       for (; count != 0; ++row, --count) {
@@ -163,7 +163,7 @@ struct RowsLeft : TriangleRows {
 
 enum class Prepared : std::uint8_t { nothing, rows, left_to_spans };
 
-/// What all lights share, so that it is code once.
+/// The part that all lights share, so that there is one copy of its code.
 template <bool affine>
 [[gnu::noinline]] Prepared begin_textured(TexturedScan& textured, RowsLeft& rows, LitWordRunState& run, TexelLight lit,
                                           const MediumTriangle& t, const MediumTexture& textures) {

@@ -60,7 +60,7 @@ class MediumPlanes {
             rounded(step_x), rounded(step_y)};
   }
 
-  /// Whether a channel changes so steeply that its steps have more than 32 bits.
+  /// True if a channel changes so steeply that its steps have more than 32 bits.
   bool has_steep() const { return beyond_ >> 27 != 0; }
 
   Plane depth(std::uint32_t depth_0, std::uint32_t depth_1, std::uint32_t depth_2) const {

@@ -15,7 +15,7 @@
 
 namespace zstrip::detail {
 
-/// What the triangles of a meshlet share.
+/// Values that the triangles of a meshlet share.
 struct PortableSmallRun {
   const StripTarget& target;
   const SnappedVertex* vertices;

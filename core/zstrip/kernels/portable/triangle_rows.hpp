@@ -22,7 +22,7 @@ struct TriangleRows {
   /// All but the rows.
   void bound(const MediumTriangle& t) {
     const SnappedVertex &a = t.v0, &b = t.v1, &c = t.v2;
-    // Of whole words, not of an array: or a Cortex-M0 makes one.
+    // Words, no array: a Cortex-M0 would make one.
     const std::int32_t x0 = a.x, x1 = b.x, x2 = c.x;
     const std::int32_t min_x = std::min(std::min(x0, x1), x2), max_x = std::max(std::max(x0, x1), x2);
     // The first vertex is the highest; from it the second lies to the left.
@@ -32,10 +32,10 @@ struct TriangleRows {
     right = max_x >> 4;
   }
 
-  /// Whether the triangle crosses neither side of the strip.
+  /// True if the triangle crosses neither side of the strip.
   bool lies_in(const Rect& strip) const { return anchor_x >= strip.left && right <= strip.right; }
 
-  /// Whether there are rows.
+  /// Returns true if there are rows.
   bool find_rows(const MediumTriangle& t) {
     const Rect& strip = t.target.area;
     row = std::max<std::int32_t>(t.v0.y >> 4, strip.top);
@@ -45,7 +45,7 @@ struct TriangleRows {
     return true;
   }
 
-  /// Whether the first part has rows. Sets rows and edges for it, or what the second part keeps of them.
+  /// Returns true if the first part has rows. Sets rows and edges for it, or the values that the second part keeps.
   bool begin_first(MediumRows& edges, const MediumTriangle& t) const {
     edges.set_target(t.target, row, anchor_x);
     const bool has_first = row < middle;

@@ -50,8 +50,8 @@ ZSTRIP_CHECK_LAYOUT(ZSTRIP_SMALL_RUN)
 static_assert(kSmallDepthDifference == 1U << 29);
 static_assert(sizeof(CarriedTriangles) <= kBinChunkBytes);
 
-// Of other objects, and only the assembly calls them. With link time optimisation the linker takes from an archive only
-// what C++ names; no program keeps these.
+// These functions lie in other objects, and only the assembly calls them. With link time optimisation the linker takes
+// from an archive only what C++ names; no program keeps these pointers.
 [[gnu::used]] static constexpr auto* kSetUp = &set_up_small_thumb;
 [[gnu::used]] static constexpr auto* kScan = &scan_small_thumb;
 

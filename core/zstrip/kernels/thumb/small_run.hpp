@@ -12,7 +12,7 @@
 
 namespace zstrip::detail {
 
-/// What the triangles of a meshlet share, where the assembly expects it.
+/// Values that the triangles of a meshlet share, where the assembly expects them.
 struct ThumbSmallRun {
   SmallScan scan;           ///< of the triangle at hand
   std::uintptr_t vertices;  ///< where the mesh's vertex 0 would be: the cache has a run of them

@@ -15,7 +15,7 @@ void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedV
 
 /// scan_small_portable<true, false> with the depth test of z16. Moves the scan's starts and rows.
 void scan_small_thumb(SmallScan& scan) asm("zstrip_scan_small_thumb");
-/// The same of one colour, scan_small_portable<false, false>.
+/// As above, for one colour: scan_small_portable<false, false>.
 void scan_small_flat_thumb(SmallScan& scan);
 
 }  // namespace zstrip::detail

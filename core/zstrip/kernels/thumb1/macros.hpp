@@ -1,4 +1,4 @@
-// What the assembly for Thumb-1 shares: the text of assembler macros. Text in each function, because macros outside of
+// The text of assembler macros that the assembly for Thumb-1 shares. Text in each function, because macros outside of
 // functions get lost where the linker puts the files' code in another order.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the assembly for rows of medium triangles begins each row with.
+// The assembly with which each row of a medium triangle begins.
 #pragma once
 
 // zstrip_medium_edges: moves both edges of the scan in r0 a row down. The row's first column in r7, the one behind its

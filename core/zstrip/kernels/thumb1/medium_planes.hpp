@@ -40,7 +40,7 @@ class ThumbPlanes {
     set_plane(plane, *this, value_0, d1, d2);
     return plane;
   }
-  /// Of the scan's colours.
+  /// Sets the scan's colours.
   void set_channels(MediumScan& scan) const;
   /// As TextureCoordinates<false>, where its fits_words(), and its start_rows().
   void set_texture(TexturedScan& scan, const TexturedVertex* const (&vertices)[3], std::int64_t depth_offset) const;

@@ -22,7 +22,7 @@ struct LinearHalves {
         z_high(form.z >> 16) {}
 };
 
-/// What the loop reads of an instance and its projection, in the order in which it does.
+/// Values of an instance and its projection, in the order in which the loop reads them.
 struct HalvedTransform {
   LinearHalves x, y, w;
   std::uint32_t w_near, w_range;

@@ -50,7 +50,7 @@ struct CarriedTriangles {
   }
 };
 
-/// What the triangles of a batch share, where the assembly expects it.
+/// Values that the triangles of a batch share, where the assembly expects them.
 struct ThumbListedRun {
   ThumbSmallRun run;
   const Triangle* triangles;

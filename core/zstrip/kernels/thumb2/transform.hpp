@@ -8,7 +8,7 @@
 
 namespace zstrip::detail {
 
-/// What the loop reads of an instance and its projection, in the order in which it does.
+/// Values of an instance and its projection, in the order in which the loop reads them.
 struct NarrowTransform {
   LinearForm w;
   std::uint32_t w_near, w_range;

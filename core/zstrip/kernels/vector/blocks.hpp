@@ -44,7 +44,7 @@ struct Boxes {
   /// Their first pixels, and those behind their last ones.
   Halves first() const { return arithmetically_right(least, 4); }
   Halves end() const { return arithmetically_right(greatest, 4); }
-  /// Those of the first word.
+  /// Returns the box of the first word.
   Rect first_box() const {
     const auto low = static_cast<std::int32_t>(as_words(first())[0]);
     const auto high = static_cast<std::int32_t>(as_words(end())[0]);
@@ -87,7 +87,7 @@ struct EdgeBlock {
   }
 };
 
-// What colours the pixels of blocks: a column() of them has the colour() of one and goes down to the next.
+// Classes that colour the pixels of blocks: column() returns the colour() of one and goes down to the next.
 
 /// Pixels of one colour.
 struct OneColour {
@@ -119,7 +119,7 @@ struct ChannelBlocks {
 struct WordBlock {
   Words upper, step_x, step_y;  ///< of the upper row
 
-  /// Of value `number` of four.
+  /// For value `number` of four.
   template <int number>
   static WordBlock of(Words starts, Words steps_x, Words steps_y) {
     const Words right = word_in_all<number>(steps_x), down = word_in_all<number>(steps_y);

@@ -14,7 +14,7 @@ namespace zstrip::detail::vectors {
 
 constexpr std::int32_t kCellSide = 4;  ///< pixels
 
-/// Of four triangles the three corners, whose places, depths and colours are a word each.
+/// The three corners of four triangles, whose places, depths and colours are a word each.
 struct FourCorners {
   Words place[3], depth[3], colour[3];
 
@@ -95,7 +95,7 @@ class FourTriangles {
     const Words area = sums_of_products(edge_1, across(edge_2));
     const Words at_1 = sums_of_products(edge_1, to_anchor), at_2 = sums_of_products(edge_2, to_anchor);
     const Words inverse{quotient_31(area[0]), quotient_31(area[1]), quotient_31(area[2]), quotient_31(area[3])};
-    // Of vertices 1 and 2, in pairs.
+    // Vertices 1 and 2, in pairs.
     const Halves weights = lower_pairs(as_halves(at_1), as_halves(at_2));
     const Halves steps_x = upper_pairs(edge_1, edge_2), steps_y = Halves{} - lower_pairs(edge_1, edge_2);
     const Halves fields = edge_fields(weights, steps_x, steps_y);
@@ -111,7 +111,7 @@ class FourTriangles {
                                rounded_upper_products<1>(depth[2] - depth[0], inverse));
     z_ = settled(depth[0] + per_unit.sums(weights));
     z_right_ = settled(per_unit.sums(right)), z_down_ = settled(per_unit.sums(down));
-    // Of halves, because differences of whole depths need 33 bits.
+    // Halves are compared, because differences of whole depths need 33 bits.
     const auto near = [&depth](int i) {
       return (depth[0] >> 1) - (depth[i] >> 1) + in_all_words(kSmallDepthDifference / 2);
     };
@@ -134,7 +134,7 @@ class FourTriangles {
     }
   }
 
-  /// Those whose depths are too far from each other for a small triangle.
+  /// Returns the triangles whose depths are too far from each other for a small triangle.
   Words far() const { return far_; }
 
   /// By columns and rows, in pairs.

@@ -16,7 +16,7 @@ struct Interpolated {
   Interpolated(std::uint32_t start, std::uint32_t step_x)
       // Settled, or GCC takes every multiple from another word.
       : Interpolated(in_all_words(start), settled(in_all_words(step_x))) {}
-  /// Of vectors whose words are alike.
+  /// Interpolates vectors whose words are alike.
   Interpolated(Words start, Words steps)
       : first(start + multiples_0_to_3(steps)), last(first + (steps << 2)), step(steps[0]), step_8(steps << 3) {}
   Halves upper() const { return upper_halves(first, last); }

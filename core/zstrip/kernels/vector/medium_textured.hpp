@@ -16,7 +16,7 @@ namespace vectors {
 inline std::uint16_t modulated(std::uint16_t texel, Words light) {
   const Words factors = (light >> 16) + (light >> 23);
   const Halves channels = as_halves(in_all_words(texel)) * Halves{0, 0, 1, 0, 1 << 5, 0, 1 << 11, 0};
-  // Of the division by 256 red and blue have 3 bits left, green has 2. To nearest.
+  // The division by 256 leaves 3 bits to red and blue, 2 to green. To nearest.
   const Halves lit =
       upper_products_of_halves(channels & Halves{0, 0, 0xF800, 0, 0xFC00, 0, 0xF800, 0}, as_halves(factors)) +
       Halves{0, 0, 1 << 2, 0, 1 << 1, 0, 1 << 2, 0};

@@ -1,4 +1,4 @@
-// What kernels in vectors need beside operators, with NEON: the functions that sse2.hpp describes.
+// Functions of NEON that kernels in vectors need beside operators: those that sse2.hpp describes.
 #pragma once
 
 #include <cstdint>

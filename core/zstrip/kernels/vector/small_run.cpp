@@ -49,7 +49,7 @@ class Queue {
     for (std::uint32_t end = i + 4, last = count_; last < end; ++last) indices_[last] = indices_[last - 1];
     return indices_ + i;
   }
-  /// Of the triangles `first` to `first` + 3 those whose bits are set.
+  /// Adds those of the triangles `first` to `first` + 3 whose bits are set.
   void add(std::uint32_t bits, Halves first) {
     const std::uint16_t* const lanes = kLanes[bits].data();
     store_8(indices_ + count_, load_8(lanes) + first);
@@ -61,7 +61,7 @@ class Queue {
   std::uint32_t count_ = 0;
 };
 
-/// What is read of a run again and again.
+/// Values of a run that are read again and again.
 struct Reader {
   std::uintptr_t vertices, colours;  ///< of mesh vertex 0
 
@@ -326,7 +326,7 @@ std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Tr
   FourDrawn<gouraud, 2> in_two;
   // A copy: compilers must assume that stores of lanes change any memory.
   const Strip pixels = strip;
-  // Whether triangle i, which is the next one of the queue, is drawn; else it is left to draw_one.
+  // Returns true if triangle i, which is the next one of the queue, is drawn; else it is left to draw_one.
   const auto draws = [&](std::uint32_t i, Queue& queue, Place& next, auto& four) {
     if (next.lane == next.lanes) {
       while (queue.count() - next.place < 4 && sorted.count < std::min(count, i + kAhead)) {
@@ -358,7 +358,7 @@ std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Tr
   }
 }
 
-/// Whether a run that begins with this triangle ends before it: it is too large.
+/// Returns true if a run that begins with this triangle ends before it: it is too large.
 bool ends_at(const VectorSmallRun& run, const Triangle& triangle) {
   const SnappedVertex* const vertices = run.vertices;
   const Words place[3] = {place_of(vertices[triangle.a - run.first_vertex]),

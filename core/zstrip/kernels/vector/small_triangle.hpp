@@ -10,7 +10,7 @@
 
 namespace zstrip::detail {
 
-/// What draw_small_triangle takes.
+/// The arguments of draw_small_triangle.
 struct SmallTriangle {
   const StripTarget& target;
   const SnappedVertex &v0, &v1, &v2;
@@ -21,7 +21,7 @@ struct SmallTriangle {
 
 /// False, and nothing drawn, if there is no room for whole blocks of 4 x 2 pixels in the strip.
 bool draw_small_flat_vector(const SmallTriangle& triangle, std::uint16_t colour);
-/// The same with interpolated colours.
+/// As above, with interpolated colours.
 bool draw_small_gouraud_vector(const SmallTriangle& triangle, const Colour* const (&colours)[3]);
 
 /// How the triangles of a run look beside their vertices.
@@ -30,7 +30,7 @@ struct SmallRunSurface {
   std::uint16_t flat_colour = 0;  ///< where a flat one has no colours
 };
 
-/// What the triangles of a meshlet share.
+/// Values that the triangles of a meshlet share.
 struct VectorSmallRun {
   const StripTarget& target;
   const SnappedVertex* vertices;  ///< of mesh vertex `first_vertex` on

@@ -1,4 +1,4 @@
-// What kernels in vectors need beside operators, with SSE2. neon.hpp has the same functions.
+// Functions of SSE2 that kernels in vectors need beside operators. neon.hpp has the same functions.
 #pragma once
 
 #include <cstdint>
@@ -68,7 +68,7 @@ template <int half, int shift>
 Halves half_in_all(Halves values) {
   return half_in_all<half>(values) << shift;
 }
-/// The same of a word's lower or upper half.
+/// As above, for a word's lower or upper half.
 template <int word, int shift>
 Halves low_half_in_all(Halves values) {
   const __m128i pairs = as_sse2(word_in_all<word>(as_words(values)));
@@ -83,7 +83,7 @@ Halves high_half_in_all(Halves values) {
 inline Words first_words(Words a, Words b, Words c) {
   return as_words(_mm_unpacklo_epi64(_mm_unpacklo_epi32(as_sse2(a), as_sse2(b)), as_sse2(c)));
 }
-/// Of first_words the third, first and second.
+/// Returns the third, first and second word of first_words.
 inline Words rotated(Words three) { return as_words(_mm_shuffle_epi32(as_sse2(three), _MM_SHUFFLE(3, 1, 0, 2))); }
 inline Halves swapped_in_pairs(Halves values) {
   return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(as_sse2(values), 0xB1), 0xB1));
@@ -119,7 +119,7 @@ inline Halves upper_pairs(Halves low, Halves high) {
 /// By turns a half of each.
 inline Halves interleaved_low(Halves a, Halves b) { return as_halves(_mm_unpacklo_epi16(as_sse2(a), as_sse2(b))); }
 inline Halves interleaved_high(Halves a, Halves b) { return as_halves(_mm_unpackhi_epi16(as_sse2(a), as_sse2(b))); }
-/// Of each word the uppermost bit.
+/// Returns the uppermost bit of each word.
 inline std::uint32_t upper_bits(Words words) {
   return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(as_sse2(words))));
 }
@@ -139,15 +139,15 @@ inline Halves signed_max(Halves a, Halves b) { return as_halves(_mm_max_epi16(as
 inline Halves chosen(Halves mask, Halves a, Halves b) {
   return (mask & a) | as_halves(_mm_andnot_si128(as_sse2(mask), as_sse2(b)));
 }
-/// Whether a half of the mask is clear.
+/// Returns true if a half of the mask is clear.
 inline bool any_clear(Halves mask) { return _mm_movemask_epi8(as_sse2(mask)) != 0xFFFF; }
 inline bool any_set(Halves values) { return any_clear(as_halves(values == Halves{})); }
 
 /// Signed: products of the lower halves of words, plus those of the upper ones.
 inline Words sums_of_products(Halves a, Halves b) { return as_words(_mm_madd_epi16(as_sse2(a), as_sse2(b))); }
-/// Of the first word.
+/// Returns the sum of the first word.
 inline std::int32_t sum_of_products(Halves a, Halves b) { return static_cast<std::int32_t>(sums_of_products(a, b)[0]); }
-/// Of pairs: less than 0 where the lower half is, or where that is 0 and the upper half is.
+/// Compares pairs: less than 0 where the lower half is, or where that is 0 and the upper half is.
 inline Words lower_then_upper(Halves pairs) { return sums_of_products(pairs, in_all_pairs(1 << 14, 1)); }
 /// Unsigned: floor(a * b / 2^16).
 inline Halves upper_products_of_halves(Halves a, Halves b) {
@@ -176,7 +176,7 @@ Words upper_products(Words a, Words b) {
   return unsigned_upper_products(factors, b) - (arithmetically_right(factors, 31) & b);
 }
 
-/// Of words 0 and 2, the others are any: the products' lower words, and upper_products<0>.
+/// Multiplies words 0 and 2, the others are any: the products' lower words, and upper_products<0>.
 inline Words products_of_even(Words a, Words b) { return as_words(_mm_mul_epu32(as_sse2(a), as_sse2(b))); }
 inline Words upper_products_of_even(Words a, Words b) {
   return as_words(_mm_srli_epi64(as_sse2(products_of_even(a, b)), 32)) - (arithmetically_right(a, 31) & b);
@@ -240,7 +240,7 @@ Halves stepped_edge(Words starts, Halves steps) {
   return as_halves(_mm_packs_epi32(_mm_add_epi32(upper, start), _mm_add_epi32(lower, start)));
 }
 
-/// What vertices 1 and 2 weigh: in words 0 and 1 a pixel to the right and down, in word 2 at the anchor.
+/// The weights of vertices 1 and 2: in words 0 and 1 a pixel to the right and down, in word 2 at the anchor.
 class Weights {
  public:
   /// From Edges: steps of 16 x 180 at most, and 8100 at the anchor.
@@ -275,7 +275,7 @@ class Weights {
 /// Right shifts of four words by `amount`, 0 .. 31, less a number of their own: products with powers of two.
 class FourShifts {
  public:
-  /// What stands for a number.
+  /// Returns the code of a number.
   static std::uint32_t of(int number) { return std::uint32_t{1} << number; }
 
   explicit FourShifts(Words numbers) : powers_(numbers) {}

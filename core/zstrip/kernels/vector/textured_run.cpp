@@ -76,7 +76,7 @@ template <class Light>
   const Texels texels(state);
   Interpolated z(state.z, state.step_z);
   std::uint32_t one_over_w = state.one_over_w;
-  // Of u in word 0, of v in word 2.
+  // u is in word 0, v in word 2.
   const auto both = [](auto u, auto v) {
     return Words{static_cast<std::uint32_t>(u), 0, static_cast<std::uint32_t>(v)};
   };

@@ -81,7 +81,7 @@ class FourVertices {
         depth_shift_(instance.depth_shift),
         depth_normalisation_(instance.depth_normalisation) {}
 
-  /// What reciprocal_of finds first.
+  /// The values that reciprocal_of finds first.
   struct Normalised {
     std::uint32_t shift;  ///< FourShifts::of
     std::uint32_t divisor, quotient;
@@ -94,7 +94,7 @@ class FourVertices {
       quotient = quotient_32(divisor >> 16);
     }
   };
-  /// What makes unsigned words signed ones in the same order.
+  /// Makes unsigned words signed ones in the same order.
   static constexpr std::uint32_t kSign = std::uint32_t{1} << 31;
 
   Coordinate x_, y_;

@@ -8,12 +8,12 @@
 
 namespace zstrip::detail {
 
-/// Whether the upper halves of the form's coefficients, rounded to nearest, have 16 bits, which SSE2 needs.
+/// True if the upper halves of the form's coefficients, rounded to nearest, have 16 bits, which SSE2 needs.
 constexpr bool fits_vector(const LinearForm& form) {
   constexpr std::int32_t kLimit = 0x7FFF8000;
   return form.x < kLimit && form.y < kLimit && form.z < kLimit;
 }
-/// Whether all of them do, and the shifts of coordinates are FourShifts.
+/// True if all forms do, and the shifts of coordinates are FourShifts.
 constexpr bool fits_vector(const CompiledInstance& instance) {
   const auto fits = [](std::int32_t shift) { return shift >= 1 && shift <= 32; };
   return fits_vector(instance.w) && fits_vector(instance.x) && fits_vector(instance.y) && fits(instance.shift_x) &&

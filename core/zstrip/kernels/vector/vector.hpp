@@ -1,4 +1,4 @@
-// What the kernels in vectors are written with: two types, their operators, and functions of the instruction set at
+// The language of the kernels in vectors: two types, their operators, and functions of the instruction set at
 // hand.
 #pragma once
 
