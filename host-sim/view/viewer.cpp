@@ -230,7 +230,7 @@ std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
     std::vector<std::string> boards;
     for (const BoardRate& rate : std::span(viewed.rates).first(boards_with_core_model().size()))
       boards.push_back(fmt::format("{} {}", rate.board, rate.words()));
-    lines.push_back(fmt::format("about/s: {}", fmt::join(boards, " ")));
+    lines.push_back(fmt::format("about/s: {}", fmt::join(boards, ", ")));
   }
   if (!viewed.left_out.empty()) {
     lines.push_back(fmt::format("the estimate leaves out: {}", fmt::join(viewed.left_out, ", ")));
