@@ -85,9 +85,8 @@ constexpr std::array kBoards{
         .spi_mhz = 50,
         .dma = true,
         .cycles_per_estimate = {1.5, 1.5}},
-    // From here on: memory, clock and bus of the data sheets, and cycles that are assumed. Of a Cortex-M4 between the
-    // Black
-    // Pill's and half as many again, for slower flash.
+    // From here on: memory, clock and bus of the data sheets, and cycles that are assumed. A Cortex-M4 takes between a
+    // Black Pill's cycles and half as many again, for slower flash.
     BoardModel{.name = "nrf52840",
                .description = "nRF52840, Cortex-M4F",
                .core_mhz = 64,
@@ -117,7 +116,7 @@ constexpr std::array kBoards{
                .spi_mhz = 75,
                .dma = true,
                .cycles_per_estimate = {0.8, 1.5}},
-    // Xtensa: some 1.3 to 2 times an M3's instructions, 1.2 to 1.8 cycles each.
+    // Xtensa is assumed to execute 1.3 to 2 times an M3's instructions, in 1.2 to 1.8 cycles each.
     BoardModel{.name = "esp32",
                .description = "ESP32, Xtensa LX6; data RAM",
                .core_mhz = 240,
@@ -157,7 +156,7 @@ constexpr std::array kBoards{
                .dma = true,
                .cores = 2,
                .cycles_per_estimate = kRiscV},
-    // As the other Xtensa, which has no instruction for the upper half of a product.
+    // This Xtensa has no instruction for the upper half of a product.
     BoardModel{.name = "esp8266",
                .description = "ESP8266, Xtensa LX106; data RAM",
                .core_mhz = 80,

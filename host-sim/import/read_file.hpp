@@ -22,7 +22,7 @@ Result<Done> check_readable(const std::filesystem::path& path);
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 
 /// `limit`: whole megabytes. A larger file is refused ("has more than 16 MB") and not read to its end. write_file
-/// then does not replace it.
+/// does not replace a file that was read.
 Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path, std::size_t limit = kMaxFileBytes);
 
 }  // namespace zstrip::sim

@@ -67,7 +67,7 @@ class StripGrid {
     if (left >= right || rows.first >= rows.end) return {};
     return {strip(left, inverse_columns_), rows.first, strip(right - 1, inverse_columns_) + 1, rows.end};
   }
-  /// As above, for pixels of the picture.
+  /// Returns the strips of pixels of the picture.
   Rect strips_of_picture(const Rect& pixels) const {
     return strips_of(
         {pixels.left - centre_x_, pixels.top - centre_y_, pixels.right - centre_x_, pixels.bottom - centre_y_});

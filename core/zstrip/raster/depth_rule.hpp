@@ -184,7 +184,7 @@ class DepthRule {
     if (drawn) count_write(cell);
     return drawn;
   }
-  /// As above, for fragments that may still be discarded: `kept` is the value that the cell would then hold.
+  /// Tests a fragment that may still be discarded: `kept` is the value that the cell would then hold.
   template <class Value>
   constexpr bool may_draw(Value value, Cell& kept) const {
     count_test();

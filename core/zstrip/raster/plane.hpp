@@ -84,7 +84,7 @@ class PlaneSetup {
             static_cast<std::uint32_t>((step_x + 128) >> 8), static_cast<std::uint32_t>((step_y + 128) >> 8)};
   }
 
-  /// As above, as a wide plane: off by no more than the reciprocal's relative error, 2^-28 of the differences.
+  /// Returns a wide plane, off by no more than the reciprocal's relative error, 2^-28 of the differences.
   WidePlane wide_plane(std::int64_t value_0, std::int64_t from_0_to_1, std::int64_t from_0_to_2) const {
     const std::int64_t along_x = from_0_to_1 * dy1_ + from_0_to_2 * dy2_;
     const std::int64_t along_y = -(from_0_to_1 * dx1_ + from_0_to_2 * dx2_);

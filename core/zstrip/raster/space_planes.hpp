@@ -68,7 +68,7 @@ class SpacePlanes {
     const auto divided = [&](std::int32_t value) { return shifted(multiply_high(value, r.value), right); };
     return {divided(v.x), divided(v.y), divided(v.z)};
   }
-  /// As above, for orthographic corners.
+  /// Returns the vector for orthographic corners.
   Vector3 undivided_at(std::int32_t columns, std::int32_t rows) const {
     const Vector3 v = at(columns, rows);
     return {shifted(v.x, -shift_), shifted(v.y, -shift_), shifted(v.z, -shift_)};

@@ -134,7 +134,7 @@ struct SpanTriangle {
 
   struct Unsplit {};  ///< instead of WholeSpans: the part is the whole, or it is not used
 
-  /// As above, for a part of the triangle.
+  /// Walks a part of the triangle.
   template <bool statistics, class Narrow, class Rule, class Whole, class Fill>
   void walk_part(const TargetFor<mode>& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
                  Narrow narrow, const Rule& how, [[maybe_unused]] Whole whole, const Fill& fill) const {

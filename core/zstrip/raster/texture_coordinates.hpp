@@ -124,7 +124,7 @@ class TextureCoordinates {
   [[gnu::always_inline]] TexelPosition at(const Place& place) const {
     return position(place, base_u_, base_v_, 30 - shift_);
   }
-  /// As above, from a TexturedScan's values.
+  /// Returns the position, from a TexturedScan's values.
   [[gnu::always_inline]] static TexelPosition position(const Place& place, std::int32_t base_u, std::int32_t base_v,
                                                        std::int32_t right_shift) {
     const auto u = static_cast<std::int32_t>(place.u_over_w);
@@ -145,7 +145,7 @@ class TextureCoordinates {
     return at(place(columns, rows));
   }
 
-  /// As above, with the footprint: the derivatives of u and v, by the same division.
+  /// Returns the position and its footprint: the derivatives of u and v, by the same division.
   TexelFootprint footprint_at(std::int32_t columns, std::int32_t rows) const {
     const Place there = place(columns, rows);
     const auto step = [&](std::uint32_t Plane::*direction) {

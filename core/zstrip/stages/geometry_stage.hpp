@@ -62,7 +62,7 @@ struct GeometryStage {
     return mesh;
   }
 
-  /// As above, and prepares the data that only drawing needs.
+  /// Makes the batch of a meshlet, and prepares the data that only drawing needs.
   template <Effects effects>
   static BatchOf<effects> batch_for(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
                                     std::uint32_t cache) {

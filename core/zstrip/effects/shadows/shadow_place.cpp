@@ -21,8 +21,8 @@ struct MapAxis {
   Scaled at;
 };
 
-/// As above, over the picture, with its pixels and its distance w: offset + w (x, y, 1) for perspective, else
-/// offset + x + y + w.
+/// Gives that coordinate over the picture, from its pixels and its distance w: offset + w (x, y, 1) for perspective,
+/// else offset + x + y + w.
 struct PixelAxis {
   Scaled offset, x, y, w;
 };

@@ -15,7 +15,7 @@ void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedV
 
 /// scan_small_portable<true, false> with the depth test of z16. Moves the scan's starts and rows.
 void scan_small_thumb(SmallScan& scan) asm("zstrip_scan_small_thumb");
-/// As above, for one colour: scan_small_portable<false, false>.
+/// Scans a triangle of one colour, as scan_small_portable<false, false> does.
 void scan_small_flat_thumb(SmallScan& scan);
 
 }  // namespace zstrip::detail

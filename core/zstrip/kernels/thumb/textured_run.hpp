@@ -14,7 +14,7 @@ void fill_runs_thumb(TexturedRunsState& state, std::uint16_t* depth, std::uint16
 /// `length` 1 .. 2^20, with the depth test of z16. Moves `run.z` to the first pixel behind the run.
 void fill_run_thumb(WordRunState& run, std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length);
 
-/// As above, with texels multiplied by one colour. For Thumb-2.
+/// Fills a run with texels multiplied by one colour. For Thumb-2.
 void fill_lit_run_thumb(LitWordRunState& run, std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length);
 
 }  // namespace zstrip::detail

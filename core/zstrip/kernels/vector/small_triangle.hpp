@@ -21,7 +21,7 @@ struct SmallTriangle {
 
 /// False, and nothing drawn, if there is no room for whole blocks of 4 x 2 pixels in the strip.
 bool draw_small_flat_vector(const SmallTriangle& triangle, std::uint16_t colour);
-/// As above, with interpolated colours.
+/// Draws a triangle with interpolated colours.
 bool draw_small_gouraud_vector(const SmallTriangle& triangle, const Colour* const (&colours)[3]);
 
 /// How the triangles of a run look beside their vertices.

@@ -68,7 +68,7 @@ template <int half, int shift>
 Halves half_in_all(Halves values) {
   return half_in_all<half>(values) << shift;
 }
-/// As above, for a word's lower or upper half.
+/// Copies a word's lower or upper half into all halves, shifted left.
 template <int word, int shift>
 Halves low_half_in_all(Halves values) {
   const __m128i pairs = as_sse2(word_in_all<word>(as_words(values)));

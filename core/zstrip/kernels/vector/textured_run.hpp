@@ -18,14 +18,14 @@ inline bool fits_vector(const WordRunState& run) { return run.to_row >= 16; }
 
 /// Fills `count` > 0 whole runs, with the depth test of z16. Moves z, the place and the exact position behind them.
 void fill_runs_vector(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count);
-/// As above, with texels multiplied by `light`.
+/// Fills runs with texels multiplied by `light`.
 void fill_lit_runs_vector(TexturedRunsState& state, const OneLight& light, std::uint16_t* depth, std::uint16_t* pixel,
                           std::uint32_t count);
 
 /// `length` > 0, with the depth test of z16. Moves `run.z` to the first pixel behind the run.
 void fill_run_vector(WordRunState& run, std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length);
 
-/// As above, with texels multiplied by `light`.
+/// Fills a run with texels multiplied by `light`.
 void fill_lit_run_vector(WordRunState& run, const OneLight& light, std::uint16_t* depth, std::uint16_t* pixel,
                          std::int32_t length);
 
