@@ -85,7 +85,7 @@ constexpr std::array kBoards{
         .spi_mhz = 50,
         .dma = true,
         .cycles_per_estimate = {1.5, 1.5}},
-    // From here on: memory, clock and bus of the data sheets, and cycles that are assumed. A Cortex-M4 takes between a
+    // From here on: rounded memory, clock and bus, and cycles that are assumed. A Cortex-M4 takes between a
     // Black Pill's cycles and half as many again, for slower flash.
     BoardModel{.name = "nrf52840",
                .description = "nRF52840, Cortex-M4F",
