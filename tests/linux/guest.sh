@@ -26,7 +26,8 @@ say() { echo "LinuxGuests: $*" >&2; }
 patience=${ZSTRIP_GUEST_PATIENCE:-600}  # seconds without a new byte in FOLDER
 # patiently COMMAND...: the command, ended where it makes no progress; its last line of errors then says so.
 patiently() {
-  local job watch status=0
+  local job watch status=0 ended=$folder.ended  # a file of the watch: beside FOLDER, whose size it looks at
+  rm -f "$ended"
   "$@" &
   job=$!
   (
@@ -37,12 +38,14 @@ patiently() {
       now=$(du -sb "$folder" | cut -f 1)
       if [ "$now" != "$before" ]; then still=0 before=$now; fi
     done
+    touch "$ended"
     kill "$job"
   ) >/dev/null 2>&1 &
   watch=$!
   wait "$job" || status=$?
-  if ! kill "$watch" 2>/dev/null; then echo "nothing new for $patience s" >&2; fi
+  kill "$watch" 2>/dev/null || true
   wait "$watch" 2>/dev/null || true
+  if [ -e "$ended" ]; then rm "$ended" && echo "nothing new for $patience s" >&2; fi
   return "$status"
 }
 

@@ -128,8 +128,12 @@ TEST_F(VisibilityCommand, SetsAreNeverWrittenOverTheSceneOrAnotherOutput) {
   }
   EXPECT_EQ(read(model), before);
   EXPECT_FALSE(std::filesystem::exists(scene));
-  const CommandOutcome over = render("cube -o '" + path("sets.png") + "' --visible-sets '" + path("sets.png") + "'");
+  const std::string rooms = std::string("'") + ROOMS + "'", sets = path("sets.png");
+  ASSERT_EQ(run("bake " + rooms + " -o '" + scene + "' --visible-sets '" + sets + "' --cells 1x1x1").status, 0);
+  const std::string baked = read(sets);
+  const CommandOutcome over = render(rooms + " -o '" + sets + "' --visible-sets '" + sets + "'");
   EXPECT_EQ(over.status, 2) << over.text;
+  EXPECT_EQ(read(sets), baked);
 }
 
 }  // namespace

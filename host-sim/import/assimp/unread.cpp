@@ -38,7 +38,8 @@ void warn_of_unread(const std::filesystem::path& path, const FilesRead& files, S
   model.warnings.insert(model.warnings.end(), files.warnings.begin(), files.warnings.end());
   // In both cases Assimp guesses the material.
   std::vector<std::string> undefined;
-  std::ranges::set_difference(files.materials.used, files.materials.defined, std::back_inserter(undefined));
+  std::set_difference(files.materials.used.begin(), files.materials.used.end(), files.materials.defined.begin(),
+                      files.materials.defined.end(), std::back_inserter(undefined));
   if (ending == ".obj" && !files.not_opened.empty()) {
     model.warnings.push_back(fmt::format("materials '{}' cannot be opened; what uses them is drawn without",
                                          printable(files.not_opened.front())));
