@@ -28,7 +28,7 @@ struct Track {
   std::uint32_t first;     ///< index into Animation::keyframes
 };
 
-/// Motion of a scene's instances, which repeats. A view of tables in flash or in a blob.
+/// The animation of a scene, which repeats. The tables lie in flash or in a blob.
 struct Animation {
   std::span<const Track> tracks;        ///< empty: nothing moves
   std::span<const Keyframe> keyframes;  ///< keyframes of all tracks

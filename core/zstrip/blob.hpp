@@ -36,10 +36,12 @@ inline constexpr Effects kPictureEffects[] = {{},
 /// unchanged.
 struct SceneBlob {
   Scene scene;            ///< has passed validate()
-  Camera camera;          ///< from which it was baked
+  Camera camera;          ///< the camera of the baked picture
   View view;              ///< the picture for which the camera was placed
-  BspTree tree{};         ///< of the scene's only instance, for VisibilityOptions::tree; no nodes if none was baked
-  Animation animation{};  ///< of the scene's instances, which must be copied into RAM to move; empty: no motion
+  BspTree tree{};         ///< BSP tree of the scene's only instance, for VisibilityOptions::tree; no nodes if none was
+                          ///< baked
+  Animation animation{};  ///< animation of the scene's instances, which must be copied into RAM to move; empty: no
+                          ///< motion
   Turn turn{};            ///< motion over several frames, used if the animation is empty
   const Camera* turning_camera = nullptr;  ///< the camera for several frames, in the blob; null: `camera` is used for
                                            ///< them, too

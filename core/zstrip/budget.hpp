@@ -48,9 +48,9 @@ struct Budget {
   std::uint16_t strip_columns = 0;  ///< pixels of a strip's row: a multiple of 8, or the view's width; 0: the width, or
                                     ///< the fastest number with `split_columns`
   bool split_columns = false;       ///< the display accepts rectangles that are narrower than the picture
-  std::uint8_t strip_buffers = 0;   ///< buffers of strip_pixel_bytes() that `bytes` must hold, too: 0..2
+  std::uint8_t strip_buffers = 0;   ///< buffers of strip_pixel_bytes() that `bytes` must also hold: 0..2
   Modes modes = Modes::any;         ///< without effect::bins all plans are streamed
-  LayerBytes layer{};  ///< of a static layer that keeps this picture: strips then begin and end at borders of tiles
+  LayerBytes layer{};  ///< the static layer that keeps this picture: strips then begin and end at borders of tiles
 };
 
 inline constexpr std::uint32_t kArenaAlignment = 8;     ///< bytes

@@ -1,4 +1,5 @@
-// Which effects a scene calls for. The set is a template argument of the renderer: what is not in it costs nothing.
+// The effects that a scene needs. The set is a template argument of the renderer: an effect outside the set adds no
+// code.
 #pragma once
 
 #include <cstdint>
@@ -37,51 +38,52 @@ inline constexpr Effects gouraud{1U << 1};         ///< colour varies over a tri
 inline constexpr Effects vertex_colours{1U << 2};  ///< some mesh has colours
 inline constexpr Effects textures{1U << 3};        ///< some material has a texture
 inline constexpr Effects orthographic{
-    1U << 4};  ///< the camera's projection; a renderer with it takes no perspective camera
-inline constexpr Effects statistics{1U << 5};  ///< counts triangles and fragments; never called for by a scene
+    1U << 4};  ///< Projection::orthographic; such a renderer refuses perspective cameras
+inline constexpr Effects statistics{1U << 5};  ///< counts triangles and fragments; effects_of never returns it
 inline constexpr Effects all{(1U << 6) - 1};   ///< all of the above
 
 inline constexpr Effects depth_state{1U << 6};  ///< some material has a depth test, depth write or bias of its own
-inline constexpr Effects depth_float{1U << 7};  ///< DepthFormat::float16; formats are never called for by a scene
+inline constexpr Effects depth_float{1U << 7};  ///< DepthFormat::float16; effects_of never returns a depth format
 inline constexpr Effects depth_24{1U << 9};     ///< DepthFormat::z24
-/// z16 in sub-ranges that save clears; see Renderer::begin_frame. Never called for by a scene.
+/// z16 in sub-ranges that save clears; see Renderer::begin_frame. effects_of never returns it.
 inline constexpr Effects depth_ranges{1U << 11};
-/// All that select a format of depth: at most one of them.
+/// The effects that select a depth format. A renderer has at most one of them.
 inline constexpr Effects depth_formats{depth_float.bits | depth_24.bits};
-/// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
+/// Draws plans of Mode::binned. Not together with depth_ranges. effects_of never returns it.
 inline constexpr Effects bins{1U << 12};
-/// How often the pixels of a textured row get exact texture coordinates, with perspective; linear between. None
-/// of them is every 16th pixel, as where fragments have effects. At most one; never called for by a scene.
+/// The distance between pixels with exact texture coordinates in a textured row, with perspective; coordinates between
+/// them are interpolated linearly. A renderer with none of these uses every 16th pixel, and so does a triangle that is
+/// drawn fragment by fragment. At most one; effects_of never returns one.
 inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only at the triangle's corners
 inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
 inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
 /// All of these.
 inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
 
-// Effects of light and of fragments. None needs another.
+// Effects of light and of fragments. None needs another one.
 inline constexpr Effects fog{std::uint64_t{1} << 13};              ///< Scene::fog
 inline constexpr Effects emissive{std::uint64_t{1} << 14};         ///< Finish::emissive
 inline constexpr Effects specular{std::uint64_t{1} << 15};         ///< Finish::specular
 inline constexpr Effects punctual_lights{std::uint64_t{1} << 16};  ///< Scene::punctual_lights
 inline constexpr Effects alpha_test{std::uint64_t{1} << 17};       ///< AlphaMode::mask
 inline constexpr Effects blending{std::uint64_t{1} << 18};         ///< AlphaMode::blend
-inline constexpr Effects texture_alpha{std::uint64_t{1} << 19};    ///< a texture's alpha that is masked or blended with
+inline constexpr Effects texture_alpha{std::uint64_t{1} << 19};    ///< a texture's alpha is used to mask or to blend
 inline constexpr Effects bilinear{std::uint64_t{1} << 20};         ///< TextureFilter::bilinear
-/// View::dither of a picture in RGB565, or in what is made of it without loss: gradients and fragments are dithered.
+/// View::dither for RGB565 and for formats converted from it without loss: gradients and fragments are dithered.
 inline constexpr Effects dithered_colours{std::uint64_t{1} << 21};
 inline constexpr Effects texture_palettes{std::uint64_t{1} << 24};  ///< TextureFormat::palette8 or palette4
 inline constexpr Effects mipmaps{std::uint64_t{1} << 26};           ///< Texture::smaller_levels
-/// A lit material with Shading::pixel. Alone it lights no vertex: neither lighting nor gouraud goes with it.
+/// A lit material has Shading::pixel. Such materials add neither lighting nor gouraud to the set.
 inline constexpr Effects pixel_shading{std::uint64_t{1} << 32};
 
 /// Scene::csg.
 inline constexpr Effects csg{std::uint64_t{1} << 33};
-/// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges, and no visibility method.
+/// Scene::edges: anti-aliases edges only. Needs z16 without sub-ranges and without a visibility method.
 inline constexpr Effects edges{std::uint64_t{1} << 34};
 inline constexpr Effects overlay{std::uint64_t{1} << 35};  ///< Scene::overlay
 
-// How triangles get their colours, and of which sides: one for each way in which some instance does. A renderer without
-// any of them draws all ways that its other effects allow.
+// The ways in which triangles get their colours, and the sides that are drawn. The set has every way that some instance
+// uses. A renderer with none of them supports all ways that its other effects allow.
 inline constexpr Effects shade_flat{std::uint64_t{1} << 45};              ///< one colour for each triangle
 inline constexpr Effects shade_gouraud{std::uint64_t{1} << 46};           ///< colours of vertices
 inline constexpr Effects shade_textured{std::uint64_t{1} << 47};          ///< texels as they are
@@ -91,9 +93,9 @@ inline constexpr Effects shade_fragments{std::uint64_t{1} << 50};         ///< f
 inline constexpr Effects two_sided{std::uint64_t{1} << 51};               ///< some material shows its back faces
 inline constexpr Effects shades{std::uint64_t{127} << 45};                ///< all of these
 
-/// Nothing is clipped: every instance's box stays between the camera's planes, with some room, and within a thousand
-/// pixels of the picture's centre; each frame is checked, Error::clipping. Never called for by a scene: a turntable
-/// that turns in front of the camera has it.
+/// Nothing is clipped. Every instance's box must stay between the camera's planes, with some margin, and within a
+/// thousand pixels of the picture's centre; begin_frame checks it and returns Error::clipping. A model that rotates in
+/// front of the camera can use it. effects_of never returns it.
 inline constexpr Effects unclipped{std::uint64_t{1} << 52};
 
 inline constexpr Effects skins{std::uint64_t{1} << 53};  ///< Mesh::skinning
@@ -103,10 +105,10 @@ inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha
                                      texture_palettes | mipmaps | pixel_shading;
 /// The effects that light a vertex by its place.
 inline constexpr Effects local_light = specular | punctual_lights;
-/// All that light has beyond ambient and directional light.
+/// The effects of light other than ambient and directional light.
 inline constexpr Effects vertex_light = local_light | emissive;
 
-// Surfaces and passes beyond the triangles of instances; bits 22 to 31, but for 24 and 26.
+// Surfaces and passes other than the triangles of instances: bits 22 to 31 except 24 and 26.
 inline constexpr Effects quadrics{1U << 22};  ///< spheres and ellipsoids
 /// View::dither of a picture in a format that is_narrow.
 inline constexpr Effects dithered_format{1U << 23};
@@ -118,30 +120,31 @@ inline constexpr Effects outlines{1U << 30};      ///< Mesh::outline
 inline constexpr Effects shadows{1U << 31};       ///< Scene::shadow, where something is lit
 inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of these
 
-/// All that a scene and its picture can call for.
+/// All effects that a scene and its picture can need.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces |
                                      billboards | environment | outlines | shadows | csg | edges | overlay | skins |
                                      dithered_format | supersampled;
 
-// How the CSG stage draws operands; of no renderer and no scene.
+// The CSG stage draws operands with these; no renderer and no scene has them.
 inline constexpr Effects csg_layers{std::uint64_t{1} << 62};   ///< DepthUse::layered
 inline constexpr Effects csg_colours{std::uint64_t{1} << 63};  ///< DepthUse::matched
 }  // namespace effect
 // NOLINTEND(readability-identifier-naming)
 
-/// Error::effect_missing for these effects: the lower 32 bits of the set in `needed`, the upper ones in `available`.
+/// Returns Error::effect_missing for these effects: the lower 32 bits of the set in `needed`, the upper bits in
+/// `available`.
 constexpr Status effects_missing(Effects effects) {
   return {.error = Error::effect_missing,
           .needed = static_cast<std::uint32_t>(effects.bits),
           .available = static_cast<std::uint32_t>(effects.bits >> 32)};
 }
 
-/// The effects that an Error::effect_missing names; none where the renderer is for orthographic cameras only.
+/// Returns the effects that an Error::effect_missing names; empty if the renderer is for orthographic cameras only.
 constexpr Effects missing_effects(const Status& status) {
   return {std::uint64_t{status.available} << 32 | status.needed};
 }
 
-/// How a renderer with these effects keeps depth: z16, unless one of effect::depth_formats is among them.
+/// Returns the depth format of a renderer with these effects: z16 without any of effect::depth_formats.
 constexpr DepthFormat depth_format(Effects effects) {
   if (effects.has(effect::depth_float)) return DepthFormat::float16;
   if (effects.has(effect::depth_24)) return DepthFormat::z24;
@@ -158,7 +161,8 @@ constexpr Effects depth_effect(DepthFormat format) {
   return {};
 }
 
-/// Pixels from one pair of exact texture coordinates to the next, a power of two; 0: only the corners are exact.
+/// Returns the number of pixels from one pair of exact texture coordinates to the next, a power of two; 0: only the
+/// corners are exact.
 constexpr std::int32_t perspective_run(Effects effects) {
   if (effects.has(effect::perspective_affine)) return 0;
   if (effects.has(effect::perspective_8)) return 8;
@@ -171,7 +175,7 @@ constexpr bool has_depth_state(const Material& material) {
          material.depth_slope_bias != 0;
 }
 
-/// The material's finish, or one without anything.
+/// Returns the material's finish, or a default one.
 constexpr Finish finish_of(const Scene& scene, const Material& material) {
   return material.finish < scene.finishes.size() ? scene.finishes[material.finish] : Finish{};
 }
@@ -194,14 +198,14 @@ constexpr bool is_lit_by_pixel(const Mesh& mesh, const Material& material) {
 /// True if the colour adds no light; ignores alpha.
 constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
 
-/// The shade of an instance that is not drawn fragment by fragment.
+/// Returns the shade of an instance that is not drawn fragment by fragment.
 constexpr Effects shade_effect(bool textured, bool lit, bool varies) {
   if (!textured) return varies ? effect::shade_gouraud : effect::shade_flat;
   if (!lit) return effect::shade_textured;
   return varies ? effect::shade_textured_gouraud : effect::shade_textured_flat;
 }
 
-/// The effects but for effect::shades.
+/// Returns the effects without effect::shades.
 constexpr Effects without_shades(Effects effects) { return without(effects, effect::shades); }
 
 /// Returns the effects of `called_for` that a renderer with `effects` does not have.
@@ -241,7 +245,8 @@ constexpr Effects effects_of(const View& view) {
   return view.dither ? samples | effect::dithered_format : samples;
 }
 
-/// Exactly what drawing this scene with this camera needs, shades included. constexpr for baked scenes.
+/// Returns exactly the effects, shades included, that drawing this scene with this camera needs. constexpr for baked
+/// scenes.
 constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
   Effects found{};
   const bool has_tables = !scene.finishes.empty() || !scene.punctual_lights.empty();
@@ -264,7 +269,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (mesh.billboard != Billboard::none) found = found | effect::billboards;
     if (mesh.skinning != nullptr) found = found | effect::skins;
-    // A hull has one colour, and is drawn as what it outlines where that is drawn fragment by fragment.
+    // A hull has one colour. It is drawn fragment by fragment if the instance that it outlines is.
     if (outline_of(scene, mesh) != nullptr) found = found | effect::outlines | effect::shade_flat;
     const Effects finish = has_tables ? effects_of_finish(scene, material, lit, textured) : Effects{};
     const bool by_fragment = scene.fog != nullptr || by_pixel || finish.any(effect::fragments);

@@ -1,5 +1,5 @@
 // FixedRenderer: a renderer for one scene and one picture, both compile-time constants. The compiler checks them, so
-// that the program does not; the arena is a member. This takes the least flash and the shortest program.
+// that the firmware has no code for the checks; the arena is a member. This takes the least flash.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 namespace zstrip {
 
 /// Draws `scene`, whose meshes, materials and instances are constants, in the size and format of `view`. Only the
-/// camera moves, and the instances of a Moving. `more`: effects in addition to those that scene and view need, such as
-/// effect::unclipped or effect::bins.
+/// camera and the instances of a Moving can move. `more`: effects in addition to those that scene and view need, such
+/// as effect::unclipped or effect::bins.
 ///     constexpr zstrip::View kView{128, 96, zstrip::PixelFormat::rgb565_swapped};
 ///     zstrip::FixedRenderer<kScene, kView, zstrip::Budget{.bytes = 2048}> renderer;
 /// The compiler makes the plan, within `budget`; the arena of kPlan.bytes() bytes is in the object. An error that a

@@ -1,4 +1,5 @@
-// The frame as applications may read it, Renderer::frame(): bounds, depth, statistics. Comes with renderer.hpp.
+// The frame that an application reads through Renderer::frame(): bounds, depth, statistics. renderer.hpp includes this
+// header.
 #pragma once
 
 #include <cstdint>
@@ -9,44 +10,45 @@
 
 namespace zstrip {
 
-/// Read-only. Refers to its renderer, whose scene and arena are the caller's; a pointer to copy.
+/// Read-only, and as small as a pointer. Refers to its renderer; the renderer's scene and arena are the caller's.
 class Frame {
  public:
-  /// For renderers: applications get it from frame().
+  /// Renderers call it; applications get a frame from frame().
   explicit Frame(const detail::FrameState& state) : state_(&state) {}
 
-  /// The smallest rectangle known to hold everything that is drawn, in picture pixels; no more of the z-buffer is
-  /// cleared and tested. The plan reserves memory for whole strips.
+  /// The smallest rectangle known to hold everything that is drawn, in picture pixels; only this part of the z-buffer
+  /// is cleared and tested. The plan reserves memory for whole strips.
   const Rect& bounds() const { return state_->bounds; }
-  /// As given to begin_frame.
+  /// Returns the view that begin_frame got.
   const View& view() const { return state_->view; }
-  /// As given to begin_frame.
+  /// Returns the plan that begin_frame got.
   const Plan& plan() const { return state_->plan; }
-  /// How this frame is drawn: as planned, or streamed because its bins overflowed.
+  /// Returns the mode in which this frame is drawn: the planned one, or streamed because the bins overflowed.
   Mode mode() const { return state_->mode; }
-  /// Frames since construction whose bins overflowed. Their pictures are right, but take longer.
+  /// Returns the number of frames since construction whose bins overflowed. Their pictures are right, but take longer.
   std::uint32_t bin_overflows() const { return state_->bin_overflows; }
-  /// Zeros without effect::statistics.
+  /// All counts are 0 without effect::statistics.
   const Statistics& statistics() const { return state_->statistics; }
-  /// The distance that code 65534 stands for, in view units, 16.16; 0 if nothing is visible.
+  /// Returns the distance that code 65534 stands for, in view units, 16.16; 0 if nothing is visible.
   Fixed nearest() const { return length_of(state_->fit.near); }
-  /// That of code 1.
+  /// Returns the distance that code 1 stands for.
   Fixed farthest() const { return length_of(state_->fit.far); }
   /// The z-buffer of the strip drawn last: the part of bounds() in that strip, row by row. Empty rectangle if none.
   const std::uint16_t* depth() const { return state_->depth; }
-  /// The z-buffer of formats whose cells have 32 bits.
+  /// The z-buffer of formats with 32-bit cells.
   const std::uint32_t* wide_depth() const { return reinterpret_cast<const std::uint32_t*>(depth()); }
-  /// Where depth() lies in the picture: pixels.
+  /// The rectangle of the picture that depth() covers, in pixels.
   const Rect& depth_area() const { return state_->depth_area; }
 
-  /// True if depth() holds 16-bit codes of which 0 alone is cleared: not with 32-bit formats, sub-ranges or shadows.
+  /// True if depth() holds 16-bit codes of which only 0 means cleared: false with 32-bit formats, sub-ranges or
+  /// shadows.
   bool has_plain_depth() const { return !state_->has_special_depth; }
 
-  /// True if `strip` is the one that this frame drew last: depth() is its depth.
+  /// True if this frame drew `strip` last, so that depth() is the depth of `strip`.
   bool drew_last(std::uint16_t strip) const { return state_->next_to_last_strip == strip + 1U; }
 
  protected:
-  /// The renderer's state as what it is.
+  /// Returns the renderer's state as its actual type.
   template <class State>
   const State& state() const {
     return static_cast<const State&>(*state_);
@@ -59,7 +61,7 @@ class Frame {
 /// The frame of a renderer with effect::depth_ranges.
 class FrameWithDepthRanges : public Frame {
  public:
-  /// For renderers.
+  /// Renderers call it.
   explicit FrameWithDepthRanges(const detail::RangedFrameState& state) : Frame(state) {}
   /// Cells of depth() with this code or a smaller one count as cleared; greater codes are relative to it.
   std::uint16_t cleared_code() const {
@@ -70,32 +72,32 @@ class FrameWithDepthRanges : public Frame {
 /// The frame of a renderer with a visibility method.
 class FrameWithMethod : public FrameWithDepthRanges {
  public:
-  /// For renderers.
+  /// Renderers call it.
   explicit FrameWithMethod(const detail::MethodFrameState& state) : FrameWithDepthRanges(state) {}
-  /// As set by set_visibility before begin_frame.
+  /// Returns the options that set_visibility set before begin_frame.
   const VisibilityOptions& options() const { return state<detail::MethodFrameState>().options; }
-  /// Zeros without effect::statistics.
+  /// All counts are 0 without effect::statistics.
   const VisibilityStatistics& visibility() const { return state<detail::MethodFrameState>().counts; }
-  /// With a method that keeps bounds of depth, in the strip drawn last: the farthest code that is known of the 8x8
-  /// cells around a pixel of depth_area(), which was drawn into.
+  /// Returns the farthest code known for the 8x8 cells around a pixel (x, y) of depth_area(), in the strip drawn last.
+  /// The pixel must have been drawn into, and the method must keep bounds of depth.
   std::uint16_t farthest_known(std::int32_t x, std::int32_t y) const {
     return state<detail::MethodFrameState>().state.bounds.farthest_at(x - (view().width >> 1),
                                                                       y - (view().height >> 1));
   }
 };
 
-/// The frame of a renderer with effect::supersampled. Within, all is of the picture of samples; only what is named here
-/// is of pixels. So with several samples depth(), depth_area() and all other pixels are samples, statistics()
-/// counts them, and has_plain_depth() is false.
+/// The frame of a renderer with effect::supersampled. The members below are in pixels; with several samples a pixel all
+/// others are in samples: depth() and depth_area() hold samples, statistics() counts them, and has_plain_depth() is
+/// false.
 template <class Base>
 class FrameOfSamples : public Base {
  public:
   using Base::Base;
-  /// In pixels, rounded outwards.
+  /// Returns pixels, rounded outwards.
   Rect bounds() const { return detail::pixels_of(Base::bounds(), Base::view()); }
-  /// As given to begin_frame.
+  /// Returns the view that begin_frame got.
   View view() const { return detail::view_of_pixels(Base::view()); }
-  /// As given to begin_frame.
+  /// Returns the plan that begin_frame got.
   Plan plan() const { return detail::plan_of_pixels(Base::plan(), Base::view()); }
 };
 

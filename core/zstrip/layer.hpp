@@ -42,7 +42,7 @@ class StaticLayer {
   /// the whole background again with larger pools.
   Status keep(Frame frame, std::uint16_t strip, std::span<const std::byte> pixels);
 
-  /// Sets the bounds of the moving objects. Marks their tiles dirty, and the tiles of the last call.
+  /// Sets the bounds of the moving objects. Marks the tiles of these bounds and of the previous call's dirty.
   void move_to(const Rect& bounds);
   /// Marks all tiles dirty.
   void invalidate();

@@ -69,15 +69,14 @@ struct Label {
   std::uint16_t font = 0;                 ///< index into Overlay::fonts
   Alignment alignment = Alignment::left;  ///< of each line
   Colour colour{255, 255, 255, 255};      ///< alpha 255 is opaque
-  Colour background{0, 0, 0, 0};          ///< of each line, as wide as its text, drawn below the text; alpha 0: no
-                                          ///< background
+  Colour background{0, 0, 0, 0};          ///< behind each line, as wide as its text; alpha 0: no background
 };
 
 /// Drawn in this order, sprites before labels, into the finished pixels (docs/conventions.md, "Overlay"). Sprites,
 /// labels and text may change between frames: begin_frame reads them again. They must not change from begin_frame to
 /// the last strip.
 struct Overlay {
-  std::span<const OverlayImage> images{};  ///< in flash or in RAM, as the other tables
+  std::span<const OverlayImage> images{};  ///< tables in flash or in RAM
   std::span<const Font> fonts{};           ///< kSmallFont, kLargeFont, or made by `zstrip font`
   std::span<const Sprite> sprites{};       ///< later ones are drawn over earlier ones
   std::span<const Label> labels{};         ///< later ones are drawn over earlier ones
@@ -88,7 +87,7 @@ struct Overlay {
 
 namespace detail {
 
-/// U+0020 to U+007E, and a box as U+FFFD.
+/// U+0020 to U+007E, and a box for U+FFFD.
 inline constexpr std::size_t kFontGlyphs = 96;
 inline constexpr std::size_t kSmallFontBytes = kFontGlyphs * 8;
 inline constexpr std::size_t kLargeFontBytes = 5292;
@@ -98,13 +97,13 @@ extern const std::array<std::uint8_t, kLargeFontBytes> kLargeFontCoverage;
 
 }  // namespace detail
 
-/// 6 pixels a letter, 9 a line.
+/// Advances 6 pixels a letter, 9 a line.
 inline constexpr Font kSmallFont{.glyphs = detail::kSmallFontGlyphs,
                                  .coverage = detail::kSmallFontCoverage,
                                  .coverage_bits = 1,
                                  .line_height = 9,
                                  .baseline = 7};
-/// 12 pixels a letter, 18 a line.
+/// Advances 12 pixels a letter, 18 a line.
 inline constexpr Font kLargeFont{.glyphs = detail::kLargeFontGlyphs,
                                  .coverage = detail::kLargeFontCoverage,
                                  .coverage_bits = 4,

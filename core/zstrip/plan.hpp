@@ -31,10 +31,10 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effect
 constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan,
                                        const Work& work);
 
-/// The depth resolution that a picture needs, which the counts of a scene do not tell.
+/// The depth resolution that a picture needs; the counts of a scene do not contain it.
 struct DepthNeed {
   DepthRange range;          ///< the range in which depth is stored
-  Fixed farthest;            ///< distance of the last surfaces, 16.16: in the range
+  Fixed farthest;            ///< distance of the last surfaces, 16.16, within `range`
   std::uint64_t separation;  ///< surfaces that are this far apart must be sorted; view units, 32.32
 };
 
@@ -64,7 +64,7 @@ constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effect
 
 // Presets: values to add to a scene's effects, budget and camera. docs/accuracy.md has the costs and benefits.
 
-/// Renderer<effects_of(scene, camera) | quality.effects>, plan(..., quality.budget).
+/// Used as Renderer<effects_of(scene, camera) | quality.effects> and plan(..., quality.budget).
 struct Quality {
   std::string_view name;     ///< for find_quality
   Effects effects{};         ///< in addition to those that the scene needs

@@ -1,5 +1,5 @@
-// The scene as the renderer reads it: views of the caller's memory, which may lie in flash. The renderer copies and
-// writes none of it. All of it must stay alive from begin_frame to the last draw_strip.
+// The scene, which the renderer reads: views of the caller's memory, which may lie in flash. The renderer neither
+// copies nor writes it. All of it must stay alive from begin_frame to the last draw_strip.
 #pragma once
 
 #include <cstdint>
@@ -40,15 +40,16 @@ struct Triangle {
 struct Meshlet {
   std::uint32_t first_triangle;  ///< index into Mesh::triangles
   std::uint16_t first_vertex;    ///< index into Mesh::positions
-  std::uint16_t vertex_count;    ///< of the run: the triangles use no other vertices
-  std::uint16_t triangle_count;  ///< of the run, which begins where the run of the meshlet before ends
-  std::uint16_t radius;  ///< of a sphere around all vertices: 1/32768 of the mesh's largest half extent, rounded up
-  Position centre;       ///< of that sphere
+  std::uint16_t vertex_count;    ///< the triangles use only these vertices
+  std::uint16_t triangle_count;  ///< the triangles begin after the last one of the meshlet before
+  std::uint16_t radius;  ///< radius of a sphere around all vertices, in 1/32768 of the mesh's largest half extent,
+                         ///< rounded up
+  Position centre;       ///< centre of that sphere
 };
 
-/// Selects if a mesh's instances rotate with the camera.
+/// Selects if and how a mesh's instances rotate with the camera.
 enum class Billboard : std::uint8_t {
-  none,     ///< no: instances stand as in their transform
+  none,     ///< instances stand as their transform says
   viewer,   ///< x to the picture's right, y up, z against the viewing direction; the transform gives only lengths and
             ///< position
   upright,  ///< y as in the transform; x as far to the picture's right as y allows
@@ -60,20 +61,20 @@ inline constexpr std::uint16_t kMaxOutlineWidth = 256;  ///< 1/16 pixels
 /// A line around an instance's picture, with the same width at any distance: the far side of a hull around it, drawn in
 /// one colour after the opaque instances. The hull is a mesh whose vertices are moved along their normals, so that it
 /// must be closed: vertices in one place have one normal. Normals may be longer than one to keep the width at sharp
-/// edges: with v the vertex' and n those of the faces around it, v . n = 1. docs/conventions.md says where a vertex
-/// moves.
+/// edges: v . n = 1, with v the vertex's normal and n the normal of each face around it. docs/conventions.md says where
+/// a vertex moves.
 struct Outline {
   Colour colour{0, 0, 0, 255};    ///< alpha is ignored
   std::uint16_t width = 32;       ///< 1/16 pixels, 1..kMaxOutlineWidth
   std::uint16_t hull = kOwnMesh;  ///< index into Scene::meshes, of a mesh with normals; kOwnMesh: the instance's mesh
 };
 
-/// The part that a mesh's instances have in Scene::shadow. Use only_receives for a floor: then all texels of the map
-/// are left for the casters.
+/// The role of a mesh's instances in Scene::shadow. Use only_receives for a floor: the whole map is then available to
+/// the casters.
 enum class ShadowRole : std::uint8_t {
-  casts_and_receives,  ///< the default
+  casts_and_receives,  ///< casts no shadow: for a floor
   only_receives,       ///< it casts no shadow: a floor
-  only_casts,          ///< it is lit as in a scene without shadows
+  only_casts,          ///< lit as in a scene without shadows
   none,                ///< it neither casts nor receives shadows
 };
 /// True if instances of the mesh are drawn into the map.
@@ -87,7 +88,7 @@ constexpr bool receives_shadow(ShadowRole role) {
 
 struct Skinning;  // skin.hpp
 
-/// Vertices and triangles that instances share. Has only views of the caller's tables.
+/// Vertices and triangles that instances share. The tables are the caller's.
 struct Mesh {
   std::span<const Position> positions;  ///< 1..65535 vertices
   std::span<const Normal> normals;      ///< one a vertex, or empty: unlit
@@ -109,8 +110,8 @@ struct Mesh {
 enum class TextureFilter : std::uint8_t {
   nearest,   ///< the texel that contains the pixel's centre
   bilinear,  ///< the four texels around the centre, weighted by their distance
-  /// The texture is an environment map (effect::environment), filtered as above. Normals select its texels instead of
-  /// Mesh::texcoords. It is a sphere map: a picture of a mirrored ball that fills it, as seen from the eye;
+  /// The texture is an environment map (effect::environment), with the filter of that name. Normals select its texels
+  /// instead of Mesh::texcoords. It is a sphere map: a picture of a mirrored ball that fills it, as seen from the eye;
   /// docs/conventions.md has the formula. The mesh needs normals, and its texture coordinates are ignored. So a
   /// material has either a texture of its own or an environment map, not both.
   environment_nearest = 0x10,
@@ -140,7 +141,7 @@ constexpr bool has_palette(TextureFormat format) { return format >= TextureForma
 /// Returns the bits of an index, for formats with a palette.
 constexpr std::uint32_t index_bits(TextureFormat format) { return format == TextureFormat::palette8 ? 8 : 4; }
 
-/// Row-major RGB565 texels; the first row is v = 0. Sides are powers of two, 1..2048.
+/// Row-major texels; the first row is v = 0. Sides are powers of two, 1..2048.
 struct Texture {
   std::span<const std::uint16_t> texels;         ///< words in `format`, level after level
   std::uint8_t log2_width = 0;                   ///< 0..11
@@ -180,15 +181,15 @@ enum class DepthTest : std::uint8_t {
   always = 7,
 };
 
-/// The use of alpha (as in glTF). A fragment's alpha is the material's colour.a, times the texel's alpha if the texture
-/// has alpha.
+/// The use of alpha, defined as in glTF. A fragment's alpha is the material's colour.a, times the texel's alpha if the
+/// texture has alpha.
 enum class AlphaMode : std::uint8_t {
   opaque,  ///< alpha is ignored
   mask,    ///< fragments with less than Finish::alpha_cutoff are not drawn
   blend,   ///< fragments are mixed with the colour behind them
 };
 
-/// Properties that few materials have. They have their own table, so that other materials need no bytes for them.
+/// Properties that few materials have. A separate table keeps them out of the other materials.
 struct Finish {
   Colour emissive{0, 0, 0, 255};  ///< added to the light of a lit material; texels are multiplied with the sum
   Colour specular{0, 0, 0, 255};  ///< colour of highlights (Blinn-Phong) on a lit material
@@ -227,7 +228,7 @@ struct Material {
   Shading smooth = true;                     ///< true: Gouraud; false: flat, the first vertex gives the colour; or
                                              ///< Shading::pixel
   bool double_sided = false;                 ///< false: back faces are culled
-  DepthTest depth_test = DepthTest::nearer;  ///< other values need effect::depth_state, as do other values than the
+  DepthTest depth_test = DepthTest::nearer;  ///< other values need effect::depth_state, and so do values other than the
                                              ///< defaults of the depth members below
   bool depth_write = true;                   ///< false: fragments are tested and drawn; the z-buffer does not change
   std::uint8_t finish = kNoFinish;           ///< index into Scene::finishes
@@ -272,7 +273,7 @@ struct LineSet {
   std::span<const Segment> segments;            ///< drawn in this order
   std::uint16_t mesh = 0;                       ///< index into Scene::meshes; only its vertices are used
   std::uint16_t material = 0;                   ///< index into Scene::materials
-  Transform transform = Transform::identity();  ///< as an instance's
+  Transform transform = Transform::identity();  ///< object to world; rotation and scale entries within +-255
   std::uint8_t width = 1;                       ///< pixels, 1..kMaxLineWidth
 };
 
@@ -353,8 +354,8 @@ inline constexpr std::uint32_t kMaxCsgOperands = 64;  ///< of a scene
 
 /// A solid of a product: constructive solid geometry on the z-buffer (effect::csg). The operands of a product are
 /// adjacent and have its number; products have ascending numbers. A product is the intersection of its intersected
-/// operands, of which there is at least one, minus the subtracted ones; a union is several products. Front faces of
-/// intersected operands are seen, and back faces of subtracted ones. The latter have their own material and are lit
+/// operands, of which there is at least one, minus the subtracted ones; a union is several products. The picture shows
+/// front faces of intersected operands, and back faces of subtracted ones, which have their own material and are lit
 /// from the other side. An instance may be in several products, and is not drawn by itself.
 ///
 /// A mesh must be closed: it has each edge once in either direction, where corners in one place count as one. It must
@@ -371,8 +372,8 @@ struct CsgOperand {
 inline constexpr std::uint16_t kNoFace = 0xFFFF;  ///< for Edge::right
 
 /// An edge of a mesh: its ends, and the third corner of each of its faces, as indices into the mesh's vertices. Only
-/// their positions are used. Seen from the front, a, b, left are counter-clockwise, and b, a, right, too. There are two
-/// ways to describe an edge: (a, b, left, right) and (b, a, right, left). With a > b the edge is a crease, where
+/// their positions are used. Seen from the front, both (a, b, left) and (b, a, right) are counter-clockwise. There are
+/// two ways to describe an edge: (a, b, left, right) and (b, a, right, left). With a > b the edge is a crease, where
 /// shading or colour may change abruptly between two faces that are both seen.
 struct Edge {
   std::uint16_t a, b;             ///< the ends
@@ -380,8 +381,9 @@ struct Edge {
   std::uint16_t right = kNoFace;  ///< kNoFace: the mesh has no face there
 };
 
-/// Edges of a mesh that are anti-aliased (effect::edges) wherever its instances are drawn. Drawn in this order. It is
-/// fastest if edges of one meshlet (that of a, b and left) are adjacent, in the order of the meshlets.
+/// Edges of a mesh that are anti-aliased (effect::edges) wherever its instances are drawn. They are drawn in this
+/// order. Drawing is fastest if the edges of one meshlet (the one with a, b and left) are adjacent, in the order of the
+/// meshlets.
 struct EdgeSet {
   std::span<const Edge> edges;  ///< any number
   std::uint16_t mesh = 0;       ///< index into Scene::meshes
@@ -389,7 +391,7 @@ struct EdgeSet {
 
 struct Overlay;  // overlay.hpp
 
-/// All data that a frame draws. Has only views: the tables are the caller's, in flash or in RAM.
+/// All data that a frame draws. The tables are the caller's, in flash or in RAM.
 struct Scene {
   std::span<const Mesh> meshes;                      ///< Instance::mesh is an index into them
   std::span<const Material> materials;               ///< Instance::material is an index into them
@@ -406,7 +408,7 @@ struct Scene {
   std::span<const Outline> outlines{};               ///< at most 255; Mesh::outline is an index into them
   const Shadow* shadow = nullptr;                    ///< null: no shadow
   std::span<const CsgOperand> csg{};                 ///< at most kMaxCsgOperands, product after product
-  /// By ascending mesh, at most one for each mesh. Not with outlines, shadows, CSG or several samples.
+  /// Sorted by ascending mesh, at most one for each mesh. Not with outlines, shadows, CSG or several samples.
   std::span<const EdgeSet> edges{};
   const Overlay* overlay = nullptr;  ///< sprites and labels over the picture; null: none
 };

@@ -1,16 +1,11 @@
-// Moves vertices of a mesh by up to four joints of a skeleton, and joints by keyframes. Either before a frame, into a
-// mesh in RAM that the scene draws like any other:
+// Moves vertices of a mesh by up to four joints of a skeleton, and joints by keyframes. There are two ways. Before a
+// frame, into a mesh in RAM, which the scene draws like any other mesh, with every effect, method and mode, and without
+// code for skins in the renderer:
 //     pose(kWalk, milliseconds, joints);                      // JointPose joints[...], from kSkin.rest
 //     skin_mesh(kSkin, joints, work, {positions, normals, meshlets});
 //     renderer.begin_frame(...);
-// Then every effect, method and mode can draw it, and a program without skins has no code for them. Or while a frame is
-// drawn, each meshlet each time that it is drawn, which needs RAM for one meshlet and more time (effect::skins):
-//     pose_skin(skinning, joints);                            // Mesh::skinning = &skinning
-//     renderer.begin_frame(...);
-//     skin_mesh(kSkin, joints, work, {positions, normals, meshlets});
-//     renderer.begin_frame(...);
-// So every effect, method and mode draws it, and a program without skins has nothing of them. Or while a frame is
-// drawn, a meshlet at a time, each time that one is drawn: RAM for one meshlet, and more time (effect::skins):
+// Or during a frame, each meshlet each time that it is drawn, which needs RAM for one meshlet and more time
+// (effect::skins):
 //     pose_skin(skinning, joints);                            // Mesh::skinning = &skinning
 //     renderer.begin_frame(...);
 #pragma once
@@ -80,7 +75,7 @@ struct Skinning {
   std::span<Transform> matrices;   ///< one a joint
   std::span<Position> positions;   ///< as many as the mesh's largest meshlet
   std::span<Normal> normals{};     ///< as many as `positions`; empty if the mesh has no normals
-  std::int32_t fraction_bits = 0;  ///< of `matrices`, set by pose_skin; 0: no matrices yet
+  std::int32_t fraction_bits = 0;  ///< binary point of `matrices`, set by pose_skin; 0: no matrices yet
   Mesh moved{};                    ///< written by the renderer
 };
 
@@ -138,13 +133,13 @@ void blend(std::span<JointPose> joints, std::span<const JointPose> others, std::
 /// Writes the mesh as its joints move it: positions, normals of unchanged length, and meshlets with new bounding
 /// spheres. `work`: one a joint; its contents are not needed afterwards. Safe for skins and animations that passed
 /// validate(skin) and validate(animation, joints). Error::skin if the mesh leaves its box (`needed` = the vertex), a
-/// joint moves its vertices too far away (`needed` = the joint), or a span has another size (`needed` = 0); `moved` is
-/// then a mixture of both poses. Time: about 40 products for each joint of each vertex.
+/// joint moves its vertices too far away (`needed` = the joint), or a span has another size (`needed` = 0); `moved`
+/// then holds vertices of the old and of the new pose. Time: about 40 products for each joint of each vertex.
 Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work,
                  const MovedVertices& moved);
 
-/// Makes the matrices of `skinning`, before the frame that shows them. The vertices of that frame are those of
-/// skin_mesh, except that a vertex outside of the box is moved to its side: pose_skin does not see the vertices.
+/// Makes the matrices of `skinning`, before the frame that shows them. The frame gets the same vertices as from
+/// skin_mesh, except that a vertex outside of the box is moved to the box's side: pose_skin does not see the vertices.
 /// Error::skin if a joint moves its vertices too far away (`needed` = the joint) or a span has another size (`needed` =
 /// 0).
 Status pose_skin(Skinning& skinning, std::span<const JointPose> pose);

@@ -9,7 +9,7 @@ namespace zstrip {
 
 /// The kind of error. In brackets the meaning of Status::needed and Status::available.
 enum class Error : std::uint8_t {
-  none,               ///< success
+  none,               ///< no error
   arena_too_small,    ///< `needed`, `available` in bytes; `purpose`: the use of the memory
   pixels_too_small,   ///< the caller's strip buffer; `needed`, `available` in bytes
   pixels_misaligned,  ///< RGB565 pixels must lie at an even address
@@ -20,7 +20,7 @@ enum class Error : std::uint8_t {
   strip_columns,   ///< neither a multiple of 8 nor the picture's width (`needed` = given, `available` = the width)
   unplannable,     ///< more than 65,535 strips, or too many meshlets, or too many triangles in one meshlet for bins
                    ///< (32,767)
-  camera,          ///< not 0 < near < far, a focal length <= 0, or axes that are not set
+  camera,          ///< 0 < near < far is false, a focal length <= 0, or axes that are not set
   mesh,            ///< index out of range, no positions, size or bits out of range (`needed` = index of the mesh)
   instance,        ///< a mesh or material that does not exist, a transform out of range, or a mesh that repeats the
                    ///< material's texture too often (`needed` = index of the instance)
@@ -41,7 +41,7 @@ enum class Error : std::uint8_t {
   blob_memory,     ///< too little memory lent for a scene blob; `needed`, `available` in bytes
   depth_effects,   ///< two depth formats at once, sub-ranges of a format that has none, or a format for perspective
                    ///< cameras with an orthographic one
-  fog,             ///< not 0 <= start < end, a negative density, or a mode that does not exist
+  fog,             ///< 0 <= start < end is false, a negative density, or a mode that does not exist
   quadric,         ///< a material that does not exist or uses what quadrics do not support (a slope bias, a finish,
                    ///< punctual lights, alpha in its texture), or a transform that is out of range or has no inverse
                    ///< (`needed` = index of the quadric)
@@ -85,14 +85,14 @@ enum class Purpose : std::uint8_t {
   none,         ///< not about memory
   instances,    ///< transforms of instances, quadrics and sets of lines
   extents,      ///< the strips that each meshlet touches
-  vertices,     ///< of one meshlet, or of all meshlets in Mode::binned
-  depth,        ///< of a strip
+  vertices,     ///< transformed vertices of one meshlet, or of all meshlets in Mode::binned
+  depth,        ///< z-buffer of a strip
   colour,       ///< a strip in RGB565, if it is not drawn in place
   bins,         ///< lists of the triangles of each strip
   layer,        ///< a static layer
   effects,      ///< data that effects keep during a frame
   sorting,      ///< the order of triangles, for some visibility methods
-  depth_bounds  ///< of tiles, for some visibility methods
+  depth_bounds  ///< bounds of depth of tiles, for some visibility methods
 };
 
 /// `error == Error::none` is success; a Status then converts to true. [[nodiscard]]: an ignored error is a warning.
@@ -102,14 +102,14 @@ struct [[nodiscard]] Status {
   std::uint32_t needed = 0;         ///< see Error
   std::uint32_t available = 0;      ///< see Error
 
-  /// True on success.
+  /// True if error is Error::none.
   constexpr explicit operator bool() const { return error == Error::none; }
   friend constexpr bool operator==(const Status&, const Status&) = default;
 };
 
-/// A short English phrase without a full stop, in static storage.
+/// Returns a short English phrase without a full stop, in static storage.
 const char* message(Error error);
-/// One word, in static storage.
+/// Returns one word, in static storage.
 const char* name(Purpose purpose);
 
 }  // namespace zstrip

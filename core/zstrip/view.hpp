@@ -30,7 +30,7 @@ constexpr bool is_narrow(PixelFormat format) {
 struct View {
   std::uint16_t width = 0;                   ///< 1..4096
   std::uint16_t height = 0;                  ///< 1..4096
-  PixelFormat format = PixelFormat::rgb565;  ///< of the strips that draw_strip writes
+  PixelFormat format = PixelFormat::rgb565;  ///< format of the strips that draw_strip writes
   /// Dithers where colours are reduced to fewer bits (docs/conventions.md, "Dithering"). Needs a renderer with
   /// effects_of(view); other renderers ignore it and have no code for it.
   bool dither = false;
@@ -45,7 +45,7 @@ struct View {
 constexpr bool dithers_colours(const View& view) { return view.dither && !is_narrow(view.format); }
 
 inline constexpr std::uint16_t kMaxViewSize = 4096;  ///< samples in a row or column
-inline constexpr std::uint8_t kMaxSamples = 4;       ///< of a pixel
+inline constexpr std::uint8_t kMaxSamples = 4;       ///< maximum for a pixel
 
 /// True if size and format are valid for one sample a pixel.
 constexpr bool valid_size_and_format(const View& view) {

@@ -12,10 +12,10 @@ extern "C" {
 /** A player. It lies in the memory that the program gives it. */
 typedef struct zstrip_player zstrip_player;
 
-/** The code that draws. A file in C++ makes it: zstrip_player/c_pipeline.hpp. */
+/** The drawing code. A C++ file makes it with zstrip_player/c_pipeline.hpp. */
 typedef struct zstrip_pipeline zstrip_pipeline;
 
-/** How pixels lie in memory: docs/conventions.md, "Picture formats". */
+/** The layout of pixels in memory: docs/conventions.md, "Picture formats". */
 typedef enum {
   ZSTRIP_RGB565,
   ZSTRIP_RGB565_SWAPPED,
@@ -30,33 +30,34 @@ typedef enum {
 typedef struct {
   uint16_t left, top, width, height;  ///< pixels of the picture
   const void* pixels;                 ///< valid until zstrip_take returns
-  size_t bytes;                       ///< of all rows
+  size_t bytes;                       ///< bytes of all rows
 } zstrip_strip;
 
-/** Sends a strip to the display; 0 ends the frame. */
+/** Sends a strip to the display. Returns 0 to end the frame. */
 typedef int (*zstrip_take)(void* context, const zstrip_strip* strip);
 
-/** Makes a player in `memory`, which it keeps and from which it takes all that it needs. Returns null if the memory is
-    too small for the player itself, or a pointer is null. All functions accept a null player: they do nothing, and
-    zstrip_player_error says so. */
+/** Makes a player in `memory`, which it keeps and uses for all its data. Returns null if the memory is too small for
+ * the player itself, or a pointer is null. All functions accept a null player: they do nothing, and
+ * zstrip_player_error says so. */
 zstrip_player* zstrip_player_in(void* memory, size_t bytes, const zstrip_pipeline* pipeline);
 
 /* The next three functions return 0 after a fault: zstrip_player_error explains it. */
 
-/** Opens the bytes of a .zsc in place, at a multiple of 4. Any bytes are safe; null is an error. */
+/** Opens a .zsc file in place; its address must be a multiple of 4. Any bytes are safe; null is an error. */
 int zstrip_player_open(zstrip_player* player, const void* scene, size_t bytes);
-/** Plans for a picture. Strips have a multiple of `row_step` rows: 1, or 8 for displays with bytes of eight rows. */
+/** Plans a picture. Strips have a multiple of `row_step` rows: 1, or 8 for displays with bytes of eight rows. */
 int zstrip_player_fit(zstrip_player* player, uint16_t width, uint16_t height, zstrip_format format, uint16_t row_step);
 /** Draws a frame: passes each strip to `take`, with `context`. A null `take` is an error. */
 int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context);
 
-/** Sets the time, in milliseconds of any clock. From the first call on the animation runs, or else a full turn. */
+/** Sets the time, in milliseconds of any clock. After the first call the animation runs; a scene without an animation
+ * rotates. */
 void zstrip_player_play(zstrip_player* player, uint32_t milliseconds);
 /** Pauses the motion; 0 continues it. */
 void zstrip_player_hold(zstrip_player* player, int held);
 /** Sets the motion to a time, in milliseconds from its beginning. */
 void zstrip_player_seek(zstrip_player* player, uint32_t milliseconds);
-/** Moves the camera around the point that it looks at; 65536 is a full turn; 0, 0 is the baked position. */
+/** Moves the camera around the point that it looks at; 65536 is 360 degrees; 0, 0 is the baked position. */
 void zstrip_player_orbit(zstrip_player* player, uint16_t right, uint16_t up);
 /** Enlarges the picture; 100 is the baked size. */
 void zstrip_player_zoom(zstrip_player* player, uint16_t percent);

@@ -17,9 +17,9 @@ enum class [[nodiscard]] Error : std::uint8_t{
     pin,               ///< a line cannot be set
     configuration,     ///< the display's configuration needs what its controller cannot do
     framebuffer,       ///< the picture does not fit its memory, or its rows overlap
-    flip,         ///< the screen has not shown the picture that it was given last, in the time that its driver states
-    wrong_id,     ///< the controller reports another id, or none answers
-    second_core,  ///< the second core kept the first one waiting
+    flip,              ///< the screen has not shown the previous picture in the time that its driver states
+    wrong_id,          ///< the controller answers with another id, or does not answer
+    second_core,       ///< the second core kept the first one waiting
 };
 
 /// A short English phrase without a full stop, in static storage.

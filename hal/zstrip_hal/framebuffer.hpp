@@ -15,7 +15,7 @@ namespace zstrip::hal {
 struct FramebufferLayout {
   std::uint16_t width = 0;                   ///< pixels
   std::uint16_t height = 0;                  ///< pixels
-  PixelFormat format = PixelFormat::rgb565;  ///< of the memory, and so of what is written
+  PixelFormat format = PixelFormat::rgb565;  ///< format of the memory, and of the pixels that write() takes
   std::uint32_t stride = 0;                  ///< bytes from one row to the next; 0: rows without gaps
 };
 
@@ -44,7 +44,7 @@ class Framebuffer {
   Error write(const Area& area, std::span<const std::byte> pixels) {
     if (!fits()) return Error::framebuffer;
     if (!contains(layout_.width, layout_.height, area)) return Error::area;
-    const std::uint32_t bits = bytes_per_row(8, layout_.format);  // of a pixel
+    const std::uint32_t bits = bytes_per_row(8, layout_.format);  // bits of a pixel
     const bool to_the_edge = area.left + area.width == layout_.width;
     if (area.left * bits % 8 != 0 || (area.width * bits % 8 != 0 && !to_the_edge)) return Error::alignment;
     const std::size_t row_bytes = bytes_per_row(area.width, layout_.format);

@@ -1,4 +1,4 @@
-// Shows text on a display after a failure: needs no renderer, and no memory but half a kilobyte of stack.
+// Shows text on a display after a failure. Needs no renderer, and half a kilobyte of stack.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ constexpr std::uint16_t glyph(char character) {
 inline constexpr std::uint16_t kCellWidth = 8, kCellHeight = 16;  // pages of eight rows end with cells
 inline constexpr std::uint32_t kGlyphRows = 5;
 
-/// The glyph twice as wide and three times as high, white on black.
+/// Returns the glyph twice as wide and three times as high, white on black.
 constexpr std::array<std::byte, kCellWidth * kCellHeight * 4> cell(char character, PixelFormat format) {
   std::array<std::byte, kCellWidth * kCellHeight * 4> bytes{};
   const std::uint32_t row_bytes = bytes_per_row(kCellWidth, format);

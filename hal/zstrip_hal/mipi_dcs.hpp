@@ -26,20 +26,20 @@ namespace zstrip::hal {
 struct DcsConfig {
   std::uint16_t width = 0;          ///< of the glass, 1 up to the controller's columns
   std::uint16_t height = 0;         ///< of the glass, 1 up to the controller's rows
-  std::uint16_t column_offset = 0;  ///< of the glass in the controller's memory, where the latter is larger
-  std::uint16_t row_offset = 0;     ///< of the glass in the controller's memory, where the latter is larger
+  std::uint16_t column_offset = 0;  ///< position of the glass in the controller's memory, if the memory is larger
+  std::uint16_t row_offset = 0;     ///< position of the glass in the controller's memory, if the memory is larger
   Orientation orientation{};        ///< of the picture on the glass
-  PixelFormat format = PixelFormat::rgb565_swapped;  ///< or rgb666; or rgb444, where the controller has it
+  PixelFormat format = PixelFormat::rgb565_swapped;  ///< or rgb666; or rgb444, if the controller supports it
   bool columns_reversed = false;                     ///< the glass is wired from the right to the left
   bool rows_reversed = false;                        ///< the glass is wired from the bottom to the top
-  bool bgr = false;                                  ///< its subpixels are blue, green, red
-  bool inverted = false;                             ///< it shows colours inverted, as most IPS panels do
+  bool bgr = false;                                  ///< subpixels in the order blue, green, red
+  bool inverted = false;                             ///< the panel shows inverted colours, as most IPS panels do
   /// Commands that the module's data sheet requires (voltages, gamma), sent before the panel wakes up: the command, the
   /// number of its parameters, its parameters; then the next command. Must outlive the display.
   std::span<const std::byte> module_commands{};
-  /// The id that the controller must answer in start(): three bytes, the highest first, as kId of each controller; a
-  /// module may answer with its maker's own id. Must be below 0xFFFFFF, the value that is read without an answer. With
-  /// 0, the default, start() does not read the id, because many modules have no wire for answers.
+  /// The id that the controller must answer in start(): three bytes, the highest first, such as kId of the controller's
+  /// class; a module may answer with its maker's own id. Must be below 0xFFFFFF, the value that is read without an
+  /// answer. With 0, the default, start() does not read the id, because many modules have no wire for answers.
   std::uint32_t id = 0;
 };
 
@@ -127,8 +127,8 @@ class DcsPanel {
   /// As the concept Display states.
   Error end_frame() { return Error::none; }
 
-  /// Reads the controller's id, in the form of DcsConfig::id. May be called before start(), from 5 ms after a reset
-  /// on. All ones or all zeros: no controller answers, or no wire leads back. No transfer may be under way.
+  /// Reads the controller's id, in the form of DcsConfig::id. May be called before start(), from 5 ms after a reset on.
+  /// All ones or all zeros: no controller answers, or no wire for answers exists. No transfer may be under way.
   Error read_id(std::uint32_t& id) requires ReadableBus<Bus> {
     std::array<std::byte, 3> answer{};
     const Error error = Controller::read_id(bus_, answer);

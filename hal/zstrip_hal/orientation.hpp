@@ -31,8 +31,8 @@ constexpr bool is_sideways(const Orientation& orientation) {
 /// bottom if `rows_reversed`.
 struct Scan {
   bool exchanged = false;         ///< rows of the picture are columns of the glass
-  bool columns_reversed = false;  ///< of the glass
-  bool rows_reversed = false;     ///< of the glass
+  bool columns_reversed = false;  ///< columns are counted from the right of the glass
+  bool rows_reversed = false;     ///< rows are counted from the bottom of the glass
 };
 
 /// Returns the directions in which a controller must count for this orientation.

@@ -21,7 +21,7 @@ Error send_command(Bus& bus, std::byte command, std::span<const std::byte> param
   return bus.wait();
 }
 
-/// As above, with the parameters as numbers 0..255.
+/// Sends a command with parameters 0..255; they have arrived when it returns.
 template <CommandDataBus Bus, std::integral First, std::integral... Rest>
 Error send_command(Bus& bus, std::byte command, First first, Rest... rest) {
   const std::array parameters{static_cast<std::byte>(first), static_cast<std::byte>(rest)...};

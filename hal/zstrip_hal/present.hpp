@@ -73,8 +73,8 @@ struct StripBuffers {
 /// a failed transfer one strip later.)
 template <class DrawStatus>
 struct [[nodiscard]] PresentResult {
-  DrawStatus draw{};            ///< of the renderer
-  Error display = Error::none;  ///< of the display
+  DrawStatus draw{};            ///< status of the renderer
+  Error display = Error::none;  ///< error of the display
   std::uint16_t strip = 0;      ///< the strip at which an error was noticed, from 0
   /// True if both succeeded.
   constexpr explicit operator bool() const { return static_cast<bool>(draw) && display == Error::none; }

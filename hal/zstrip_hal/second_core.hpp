@@ -145,11 +145,11 @@ class SecondCore {
   }
 
   Renderer& renderer_;
-  Start start_ = Start::none;             ///< of the first core
-  DrawStatus begun_{};                    ///< of the second core: how start() went, until a frame was told
-  Order orders_[2];                       ///< start(), a frame
-  std::atomic<std::uint32_t> asked_ = 0;  ///< how often; written by the first core
-  std::atomic<std::uint32_t> done_ = 0;   ///< how often it did; written by the second core
+  Start start_ = Start::none;             ///< requested by the first core
+  DrawStatus begun_{};                    ///< result of start() on the second core, until a frame has returned it
+  Order orders_[2];                       ///< arguments of start() and of a frame
+  std::atomic<std::uint32_t> asked_ = 0;  ///< number of requests; written by the first core
+  std::atomic<std::uint32_t> done_ = 0;   ///< number of finished requests; written by the second core
   SharedStrips<DrawStatus> strips_;
 };
 
@@ -157,10 +157,10 @@ class SecondCore {
 /// with the same plan; the second one may still be doing so, by SecondCore::start(), and its error is then returned as
 /// one of drawing. Strips are written in order, by either core: both cores call functions of `display` between
 /// begin_frame and end_frame, but never at the same time. present() returns, also with an error, only when the second
-/// core is done. The exception is Error::second_core: the second core finished nothing within kMaxStripMicroseconds,
-/// and keeps its buffer, its renderer and `second` until is_done(). If it is inside a function of the display, it
-/// keeps the display too, and the display's frame has not ended. Display errors that present() itself returns:
-/// strip_layout, pixels_too_small, second_core.
+/// core is done. Error::second_core is the exception: the second core finished neither a strip nor the begin of a frame
+/// within kMaxStripMicroseconds, and keeps its buffer, its renderer and `second` until is_done(). If it is inside a
+/// function of the display, it keeps the display too, and the display's frame has not ended. Display errors that
+/// present() itself returns: strip_layout, pixels_too_small, second_core.
 template <StripRenderer Renderer, Display Panel, Clock Time>
 auto present(Renderer& renderer, SecondCore<Renderer>& second, Panel& display, const StripLayout& layout,
              const TwoCoreBuffers& buffers, Time& clock) {

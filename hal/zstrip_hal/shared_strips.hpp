@@ -1,4 +1,4 @@
-// Shares the strips of a frame between two cores: each draws the next strip when it is free, and sends drawn ones in
+// Shares the strips of a frame between two cores: a free core draws the next strip, and finished strips are sent in
 // order.
 #pragma once
 
@@ -35,7 +35,7 @@ class TwoCoreLock {
 
  private:
   std::atomic<bool> wants_[2] = {false, false};
-  std::atomic<std::uint8_t> last_ = 0;  ///< that wanted; it lets the other one go first
+  std::atomic<std::uint8_t> last_ = 0;  ///< the core that wanted the lock last; it lets the other one go first
 };
 
 /// Holds the lock as long as it lives.
@@ -57,9 +57,9 @@ using TwoCoreBuffers = std::array<std::span<std::byte>, 3>;
 
 /// The result of one step of a core.
 enum class Progress : std::uint8_t {
-  idle,    ///< nothing can be done before the other core is done with something
+  idle,    ///< the core must wait for the other one
   worked,  ///< a strip was drawn or sent
-  over,    ///< nothing is left to be begun; the other core may still draw or send
+  over,    ///< all strips are begun; the other core may still draw or send
 };
 
 /// The state of a frame that is being drawn and sent. `DrawStatus`: of the renderers, as in PresentResult.
@@ -165,10 +165,10 @@ class SharedStrips {
   TwoCoreBuffers buffers_{};
   PixelFormat format_ = PixelFormat::rgb565;
   std::uint16_t count_ = 0;
-  // The lock guards the members from here on. Strip s is drawn into buffer s % kBuffers. All strips before `next_` are
-  // drawn or being drawn, all before `written_` are sent or being sent, all before `free_` have certainly been sent.
+  // The lock guards the members below. Strip s is drawn into buffer s % kBuffers. All strips before `next_` are drawn
+  // or being drawn, all before `written_` are sent or being sent, all before `free_` have certainly been sent.
   std::uint16_t next_ = 0, written_ = 0, free_ = 0;
-  std::array<bool, kBuffers> is_drawn_{};  // of buffers: the strip in it waits for being sent
+  std::array<bool, kBuffers> is_drawn_{};  // the strip in this buffer waits to be sent
   bool is_display_used_ = false;
   bool fails_ = false;
   PresentResult<DrawStatus> result_{};

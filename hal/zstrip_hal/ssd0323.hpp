@@ -96,7 +96,8 @@ class Ssd0323 {
   static constexpr std::byte kSetColumns{0x15};
   static constexpr std::byte kSetRows{0x75};
   static constexpr std::byte kContrast{0x81};
-  static constexpr std::byte kShowMemory{0xA4};  // neither all on nor all off nor inverse; harmless, as a parameter too
+  static constexpr std::byte kShowMemory{0xA4};  // shows the memory, not all on, all off or inverted; harmless as a
+                                                 // parameter
   static constexpr std::byte kLastColumn{kWidth / 2 - 1};
   static constexpr std::byte kLastRow{kHeight - 1};
 
@@ -147,8 +148,8 @@ class Ssd0323 {
     return noted(bus_.write_command(bytes));
   }
 
-  /// Columns, of two pixels, and rows are the glass's; edges are inclusive. The next data byte goes to the area's upper
-  /// left corner.
+  /// Columns (of two pixels) and rows are those of the glass; edges are inclusive. The next data byte goes to the
+  /// area's upper left corner.
   Error set_window(const Area& area) {
     const bool sideways = is_sideways(config_.orientation);
     const int left = sideways ? area.top : area.left, columns = sideways ? area.height : area.width;

@@ -25,7 +25,8 @@ namespace zstrip::hal {
 struct Ssd1306Config {
   std::uint8_t width = 128;        ///< of the upright glass, 1..128
   std::uint8_t height = 64;        ///< of the upright glass, 16..64, a multiple of 8
-  std::uint8_t column_offset = 0;  ///< of the glass in the memory's 128 columns, from where they begin: 32 for 64x48
+  std::uint8_t column_offset = 0;  ///< of the glass in the memory's 128 columns, counted from their first one: 32 for
+                                   ///< 64x48
   Orientation orientation{};       ///< of the picture on the glass
   bool columns_reversed = true;    ///< wired from the right to the left
   bool rows_reversed = true;       ///< wired from the bottom to the top
@@ -86,7 +87,7 @@ class Ssd1306 {
   /// After an error the controller may still wait for parameters of an interrupted command: at most two.
   Error begin_frame() {
     if (!broken_) return Error::none;
-    constexpr int kShowMemory = 0xA4;  // harmless, as a parameter too
+    constexpr int kShowMemory = 0xA4;  // harmless as a parameter
     const Error error = command(kShowMemory, kShowMemory, 0x81, config_.brightness);
     if (error == Error::none) broken_ = false;
     return error;

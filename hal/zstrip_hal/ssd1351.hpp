@@ -31,8 +31,8 @@ struct Ssd1351Config {
 template <CommandDataBus Bus>
 class Ssd1351 {
  public:
-  static constexpr std::uint16_t kColumns = 128;  ///< of the controller
-  static constexpr std::uint16_t kRows = 128;     ///< of the controller
+  static constexpr std::uint16_t kColumns = 128;  ///< columns of the controller's memory
+  static constexpr std::uint16_t kRows = 128;     ///< rows of the controller's memory
 
   /// Sends nothing: start() does.
   explicit constexpr Ssd1351(Bus& bus, const Ssd1351Config& config = {}) : bus_(bus), config_(config) {}
@@ -95,7 +95,7 @@ class Ssd1351 {
       0xBE, 1, 0x05,              // VCOMH
       0xC1, 3, 0xC8, 0x80, 0xC8,  // contrast of A, B, C
       0xB9, 0,                    // greys in equal steps
-      0xA6, 0);                   // neither all on nor all off nor inverse
+      0xA6, 0);                   // normal: the memory, not inverted
   // clang-format on
   static_assert(is_command_list(kSettings));
 
@@ -108,7 +108,7 @@ class Ssd1351 {
            (scan.rows_reversed != config_.rows_reversed ? kRowsReversed : 0U);
   }
 
-  /// Columns and rows are the glass's; edges are inclusive. The next data goes to the area's upper left corner.
+  /// Columns and rows are those of the glass; edges are inclusive. The next data goes to the area's upper left corner.
   Error set_window(const Area& area) {
     const bool sideways = is_sideways(config_.orientation);
     const unsigned right = area.left + area.width - 1U, bottom = area.top + area.height - 1U;

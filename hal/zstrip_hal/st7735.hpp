@@ -10,14 +10,14 @@
 
 namespace zstrip::hal {
 
-/// Its pins GM1 and GM0 are 00: the memory has 132x162 pixels.
+/// For pins GM1 and GM0 at 00: the memory has 132x162 pixels.
 struct St7735Controller {
   /// @{
   /// As DcsController states.
   static constexpr std::uint16_t kColumns = 132;
   static constexpr std::uint16_t kRows = 162;
   static constexpr bool kHasBrightness = false;
-  static constexpr std::uint32_t kId = 0x7C89F0;  // of an ST7735S; an ST7735R has what the module's maker wrote into it
+  static constexpr std::uint32_t kId = 0x7C89F0;  // of an ST7735S; in an ST7735R the module's maker stores the id
   template <ReadableBus Bus>
   static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
     return read_display_id(bus, id);
@@ -50,7 +50,7 @@ struct St7735Controller {
   /// @}
 };
 
-/// GM1 and GM0 are 11: 128x160, without offsets.
+/// For pins GM1 and GM0 at 11: 128x160 pixels, without offsets.
 struct St7735Gm11Controller : St7735Controller {
   /// @{
   /// As DcsController states.
@@ -59,7 +59,7 @@ struct St7735Gm11Controller : St7735Controller {
   /// @}
 };
 
-/// 128x160 in the middle of 132x162 ("green tab"). Modules of 128x128 have row_offset 3 and bgr, those of 80x160
+/// 128x160 in the middle of 132x162 ("green tab"). Modules of 128x128 need row_offset 3 and bgr; modules of 80x160 need
 /// width 80, column_offset 26, bgr and inverted.
 inline constexpr DcsConfig kSt7735Module128x160{
     .width = 128, .height = 160, .column_offset = 2, .row_offset = 1, .columns_reversed = true, .rows_reversed = true};

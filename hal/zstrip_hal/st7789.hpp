@@ -22,9 +22,9 @@ struct St7789Controller {
   static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
     return read_display_id(bus, id);
   }
-  static constexpr auto kSettings = bytes();  // the values after a reset suit its panels
+  static constexpr auto kSettings = bytes();  // the values after a reset suit these panels
 
-  /// COLMOD: the upper digit is that of the RGB interface, the lower one that of the bus.
+  /// COLMOD: the upper digit sets the RGB interface, the lower digit the serial bus.
   static constexpr std::uint8_t pixel_format(PixelFormat format) {
     switch (format) {
       case PixelFormat::rgb444: return 0x53;

@@ -3,7 +3,7 @@
 
 #include "zstrip/base/language.hpp"
 
-// Arduino.h has macros of these names on some boards, the C++ library and zstrip have functions.
+// Some boards' Arduino.h defines macros with the names of functions of the C++ library and of zstrip.
 #pragma push_macro("abs")
 #pragma push_macro("max")
 #pragma push_macro("min")

@@ -11,7 +11,7 @@ namespace zstrip::hal {
 struct ArduinoClock {
   void wait(std::uint32_t microseconds) {
     if (microseconds < 1000) {
-      delayMicroseconds(microseconds + 1);  // some boards count to one too few
+      delayMicroseconds(microseconds + 1);  // some boards wait one microsecond less
     } else {
       delay((microseconds + 999) / 1000);
     }
@@ -78,9 +78,8 @@ class ArduinoSpi {
   static constexpr bool kDiscards = true;
 #endif
 
-  /// Leaves `bytes` as they are. transfer(bytes, count), which every core has, puts what it receives over what it
-  /// sends, so that it gets a copy; on a Raspberry Pi Pico it also sends byte by byte, so the other functions come
-  /// first.
+  /// Does not change `bytes`. transfer(bytes, count), which every core has, overwrites them with the received bytes, so
+  /// it gets a copy. On a Raspberry Pi Pico it also sends byte by byte, so the other functions are tried first.
   void send(std::span<const std::byte> bytes) {
     constexpr std::size_t kBlock = 256;  // some cores count in 16 bits
     while (!bytes.empty()) {
