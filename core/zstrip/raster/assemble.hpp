@@ -1,4 +1,5 @@
-// The triangles of a meshlet: culled, in runs where the processor has a loop for them, and drawn one by one.
+// Draws the triangles of a meshlet: culls them, and draws them one by one, or in runs if the processor has a loop for
+// runs.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +31,7 @@ struct Assembler : NarrowAssembler<effects> {
   template <Shade shade, bool all_narrow>
   static constexpr bool kSmallRuns = Narrow::template kSmallRuns<shade, all_narrow>;
 
-  /// Culls and draws `count` triangles, triangle_at(0) on. `all_narrow`: no vertex of the batch needs the clipping
+  /// Culls and draws `count` triangles, from triangle_at(0) on. `all_narrow`: no vertex of the batch needs the clipping
   /// path.
   template <Shade shade, bool all_narrow, class TriangleAt>
   static void draw_triangles(const StripTarget& target, const Batch& batch, std::size_t count,
@@ -63,8 +64,8 @@ struct Assembler : NarrowAssembler<effects> {
     return shade == Shade::flat || !shows_both_sides(batch);
   }
 
-  /// Draws triangles from `next` on, up to the first that is not small or not narrow, and returns its index. Cannot be
-  /// inlined: the others need the stack that a run takes.
+  /// Draws triangles from `next` on, up to the first one that is not small or not narrow, and returns its index. Not
+  /// inlined, so that the other triangles do not pay for the stack of a run.
   template <Shade shade, bool all_narrow, class TriangleAt>
   [[gnu::noinline]] static std::uint32_t draw_small_run(const StripTarget& target, const Batch& batch,
                                                         std::uint32_t next, std::uint32_t count,
@@ -107,7 +108,7 @@ struct Assembler : NarrowAssembler<effects> {
     }
   }
 
-  /// Draws these triangles with the loop that is quickest for them.
+  /// Draws these triangles with the fastest loop that accepts them.
   template <Shade shade, bool all_narrow, class TriangleAt>
   static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
                        const TriangleAt& triangle_at) {
@@ -142,14 +143,14 @@ struct Assembler : NarrowAssembler<effects> {
       case Shade::textured_flat: return kTextures && (kAll || effects.has(effect::shade_textured_flat));
       case Shade::textured_gouraud:
         return kTextures && kGouraud && (kAll || effects.has(effect::shade_textured_gouraud));
-      default:  // the view alone calls for dithered colours
+      default:  // only the view needs dithered colours
         return effects.any(effect::fragments) &&
                (kAll || effects.any(effect::shade_fragments | effect::dithered_colours));
     }
   }
 
-  /// Calls draw.operator()<shade>() for the instance's shade. One decision for a whole meshlet; shades that no instance
-  /// has are not instantiated, and the last one needs no comparison.
+  /// Calls draw.operator()<shade>() for the instance's shade: one decision for a whole meshlet. Shades that no instance
+  /// has are not instantiated, and the last shade needs no comparison.
   template <class Draw>
   static void with_shade(Shade shade, const Draw& draw) {
     try_shades<Shade::fragments, Shade::textured, Shade::textured_flat, Shade::textured_gouraud, Shade::gouraud,
@@ -164,7 +165,7 @@ struct Assembler : NarrowAssembler<effects> {
     if constexpr (!kIsLast) try_shades<others...>(shade, draw);
   }
 
-  /// `triangles`, `count` of them, of an outline: those that face away.
+  /// Draws the triangles of an outline's hull that face away.
   template <class TriangleAt>
   [[gnu::noinline]] static void draw_hull(const StripTarget& target, const Batch& batch, std::size_t count,
                                           const TriangleAt& triangle_at) {
@@ -195,7 +196,8 @@ struct Assembler : NarrowAssembler<effects> {
     with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
   }
 
-  /// Only those that come next in the list, a BinReader or ListedTriangles. They face the viewer, or both sides show.
+  /// Draws the next triangles of the list, a BinReader or ListedTriangles. They face the viewer, or both sides are
+  /// drawn.
   template <class List>
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
                           List& list, bool all_narrow) {
@@ -226,7 +228,7 @@ struct Assembler : NarrowAssembler<effects> {
     for (auto listed = list.next_run(); !listed.empty(); listed = list.next_run()) visit(listed);
   }
 
-  /// Before those of a strip, which is drawn into `area`.
+  /// Call it before the triangles of a strip, which is drawn into `area`.
   static void begin_listed([[maybe_unused]] const Bins& bins, [[maybe_unused]] const Rect& area) {
     if constexpr (kHasListedRuns && has_shade(Shade::gouraud)) {
       if constexpr (kSmallRuns<Shade::gouraud, true>) {
@@ -249,8 +251,8 @@ struct Assembler : NarrowAssembler<effects> {
     }
   }
 
-  /// Up to the first triangle that is not small, or the end of the batch: then false. Cannot be inlined: the others
-  /// need the stack that a run takes.
+  /// Draws listed triangles up to the first one that is not small, or to the end of the batch; returns false there. Not
+  /// inlined, so that the other triangles do not pay for the stack of a run.
   [[gnu::noinline]] static bool draw_listed_run(const StripTarget& target, const Batch& batch,
                                                 const Triangle* triangles, BinReader& list) {
     CarriedTriangles* const carried = CarriedTriangles::in(list.bins());
@@ -265,7 +267,7 @@ struct Assembler : NarrowAssembler<effects> {
     return stops;
   }
 
-  /// Runs of triangles that lie in a row.
+  /// Copies listed triangles into an array and draws them as runs.
   template <Shade shade, class List>
   static void draw_rows(const StripTarget& target, const Batch& batch, const Triangle* triangles, List& list) {
     Triangle row[kBinChunkEntries];
@@ -275,7 +277,8 @@ struct Assembler : NarrowAssembler<effects> {
         if (is_batch_entry(entry)) break;
         const Triangle& triangle = triangles[entry];
         Triangle& next = row[count++];
-        next.a = triangle.a, next.b = triangle.b, next.c = triangle.c;  // GCC calls memcpy for a whole one
+        next.a = triangle.a, next.b = triangle.b, next.c = triangle.c;  // GCC would call memcpy to copy the whole
+                                                                        // struct
       }
       list.take(count);
       draw_small_runs<shade, true>(target, batch, count, [&row](std::size_t i) -> const Triangle& { return row[i]; });

@@ -1,4 +1,4 @@
-// Triangles that leave the narrow range or the depth range: clipped, and drawn in parts.
+// Clips triangles that leave the narrow range or the depth range, and draws the parts.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace zstrip::detail {
 
-/// Counts a triangle while it lives: as drawn in the first strip that it touches, so that strips add up to the frame,
-/// and as covering in every strip where it turns out to have fragments. Without statistics it is nothing.
+/// Counts a triangle as drawn in the first strip that it touches, so that strips add up to the frame, and as covering
+/// in every strip in which it has fragments. Does nothing without statistics.
 template <bool statistics>
 class CountedTriangle {
  public:
@@ -52,13 +52,13 @@ struct ClippedAssembler {
   static constexpr std::int32_t kPerspective = perspective_run(effects);
   using Attributes = VertexAttributes<effects>;
   using Batch = BatchOf<effects>;
-  using StripTarget = TargetOf<effects>;  // with what the depth mode and fragments need
+  using StripTarget = TargetOf<effects>;  // with the settings for depth mode and fragments
   template <Shade shade>
   using SurfaceOf = std::conditional_t<shade == Shade::fragments, FragmentSurface<effects>, Surface>;
   template <Shade shade>
   static constexpr bool kMayBeLit = effects.has(effect::pixel_shading) && shade == Shade::fragments;
 
-  /// `narrow`: whether all coordinates are within kNarrowLimit, a bool or std::true_type.
+  /// `narrow`: all coordinates are within kNarrowLimit; a bool or std::true_type.
   template <Shade shade, class Target, class Narrow>
   static void draw_spans(const Target& target, const RasterVertex (&v)[3], const SurfaceOf<shade>& surface,
                          Narrow narrow) {
@@ -70,8 +70,8 @@ struct ClippedAssembler {
     }
   }
 
-  /// Cannot be inlined: drawing the polygon needs the stack that it takes. Only what the shade reads of vertices is its
-  /// own.
+  /// Not inlined: the stack that it takes is free again while the polygon is drawn. Only the loading of vertices
+  /// depends on the shade.
   template <Shade shade>
   [[gnu::noinline]] static bool clip(const Batch& batch, const Triangle& triangle, RasterPolygon& polygon) {
     ClipPolygon clipped;
@@ -88,7 +88,7 @@ struct ClippedAssembler {
     return ClipperFor<effects>::finish(batch, clipped, polygon);
   }
 
-  /// Takes the corners of a triangle that is a part of a clipped one.
+  /// Reads the corners of the triangle of which `vertices` are a part.
   static void take_corners(const StripTarget& target, const Batch& batch, const Triangle& triangle,
                            RasterVertex (&vertices)[3], LitSurface& surface) {
     LitCorner corners[3];
@@ -101,7 +101,7 @@ struct ClippedAssembler {
     detail::take_corners(vertices, corners, colours, surface);
   }
 
-  /// Cannot be inlined: what clipping needs of the stack, the most of all, is free again here.
+  /// Not inlined: clipping needs the most stack of all, and that stack is free again here.
   template <Shade shade>
   [[gnu::noinline]] static void draw_polygon(const StripTarget& target, const Batch& batch, const Triangle& triangle,
                                              RasterPolygon& polygon, const Rect& box) {

@@ -1,4 +1,4 @@
-// From the three indices of a triangle whose vertices are narrow to its pixels: bound, choose the rasteriser.
+// Draws a triangle with narrow vertices: computes its bounds and chooses the rasteriser.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
   using Clipped::kStatistics;
   using Clipped::kTextures;
   static constexpr bool kUnclipped = effects.has(effect::unclipped);
-  /// True; without clipping a type that says so, and paths for triangles that are not narrow are no code.
+  /// `std::true_type` without clipping, so that no code is generated for triangles that are not narrow.
   static constexpr auto always_narrow() {
     if constexpr (kUnclipped) {
       return std::true_type{};
@@ -42,7 +42,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     }
   }
 
-  /// The vertex with 16.16 codes: what small triangles take.
+  /// Returns the vertex with a depth in 16.16 codes, as small triangles need it.
   static decltype(auto) in_codes(const SnappedVertex& v) {
     if constexpr (kDepth.format == DepthFormat::float16) {
       const auto depth = static_cast<std::uint32_t>(float16_depth(v.depth, float16_octave(v.depth)));
@@ -52,7 +52,8 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     }
   }
 
-  /// The small float's vertices have their codes on a plane only if they lie in one octave.
+  /// True if the triangle is small and lies in one octave of the small float: only then are the codes of its vertices
+  /// on a plane.
   static bool is_small_in_octave(std::int32_t width, std::int32_t height, const SnappedVertex& a,
                                  const SnappedVertex& b, const SnappedVertex& c) {
     const std::uint32_t octave = float16_octave(a.depth);
@@ -66,7 +67,8 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return batch.instance->double_sided;
   }
 
-  /// Least and greatest; of whole words, or every comparison extends halfwords.
+  /// Return the smallest and the largest value. They use whole words because halfwords would be extended for every
+  /// comparison.
   static std::pair<std::int32_t, std::int32_t> range(std::int32_t a, std::int32_t b) {
     return a < b ? std::pair(a, b) : std::pair(b, a);
   }
@@ -75,7 +77,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return {std::min(least, c), std::max(greatest, c)};
   }
 
-  /// True if a triangle that has no pixel's centre in its box, or none in the strip, is left out.
+  /// True if a triangle is dropped when its box has no pixel centre, or none in the strip.
   static bool culls_small([[maybe_unused]] const StripTarget& target) {
     if constexpr (methods::culls(kDepth.method())) {
       return target.method->cull_small;
@@ -88,7 +90,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return std::max(std::max(a.depth, b.depth), c.depth) >> 16;
   }
 
-  /// True if bounds of depth apply to fragments in this strip.
+  /// True if bounds of depth are kept for the fragments of this strip.
   static bool has_bounds([[maybe_unused]] const StripTarget& target) {
     if constexpr (methods::keeps_bounds(kDepth.method()) && kDepth.state) return is_plain(target.settings);
     return methods::keeps_bounds(kDepth.method());
@@ -104,9 +106,9 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return false;
   }
 
-  /// The case of most kernels: the depth test of z16 and nothing to count.
+  /// The most common pixel loops: the depth test of z16, without counting.
   static constexpr bool kIsPlain = !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
-  /// True if triangles larger than small ones are drawn by draw_medium, or by draw_medium_textured.
+  /// True if draw_medium or draw_medium_textured draws triangles that are larger than small ones.
   template <Shade shade>
   static constexpr bool kHasMedium = (kIsPlain && kHasMediumTriangles && shade <= Shade::gouraud);
   template <Shade shade>
@@ -114,7 +116,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
                                                 shade >= Shade::textured && shade <= Shade::textured_gouraud &&
                                                 (Clipped::kPerspective == 0 ||
                                                  Clipped::kPerspective == kPerspectiveRun));
-  /// True if most triangles never come to draw_narrow.
+  /// True if runs draw most triangles, so that few reach draw_narrow.
   template <Shade shade, bool all_narrow>
   static constexpr bool kSmallRuns = kIsPlain && (all_narrow ? kHasSmallRuns : kHasSmallRunsOfOne) &&
                                      (shade == Shade::gouraud || (shade == Shade::flat && kHasFlatSmallRuns));
@@ -125,8 +127,8 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
   }
 
-  /// Twice the signed area, positive for front faces; differences of narrow coordinates are below 2^15, so 31 bits
-  /// suffice.
+  /// Returns twice the signed area, positive for front faces; differences of narrow coordinates are below 2^15, so 31
+  /// bits suffice.
   static std::int32_t narrow_area(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
     return (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
   }
@@ -137,12 +139,12 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return narrow_area(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]);
   }
 
-  /// Returns the index in the mesh of a vertex of the batch.
+  /// Returns the mesh's index of a vertex of the batch.
   static std::uint32_t index_of(const Batch& batch, const SnappedVertex& vertex) {
     return static_cast<std::uint32_t>(&vertex - batch.vertices) + batch.first_vertex;
   }
 
-  /// Cannot be inlined: keeps the culling loop small enough for the registers of a Cortex-M.
+  /// Not inlined, so that the culling loop fits the registers of a Cortex-M.
   template <Shade shade>
   [[gnu::noinline]] static void draw_narrow(const StripTarget& target, const Batch& batch, const Triangle& provoking,
                                             std::uint32_t ia, std::uint32_t ib, std::uint32_t ic, std::int32_t area) {
@@ -153,7 +155,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     const SnappedVertex& a = *first;
     const SnappedVertex& b = *second;
     const SnappedVertex& c = *third;
-    // Before the box is found, which the rows do not need.
+    // Done before the box is computed, because these rows do not need it.
     if constexpr (kHasMediumTexturedOf<shade>) {
       if (draw_medium_with_texture<shade>(target, batch, provoking, {&a, &b, &c}, area)) return;
     }
@@ -162,7 +164,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     const std::int32_t max_y = range(b.y, c.y).second;
     const Rect whole{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4};
     const Rect& strip = target.area;
-    // The sign of all differences at once: most triangles lie inside the strip and cover a column and a row.
+    // The OR is negative if any difference is. Most triangles lie inside the strip and cover a column and a row.
     const bool is_inside = ((whole.left - strip.left) | (whole.top - strip.top) | (strip.right - whole.right) |
                             (strip.bottom - whole.bottom)) >= 0;
     Rect box = whole;
@@ -174,7 +176,8 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
                                !methods::guesses(kDepth.method()) && !kDepth.compares_codes();
-    // A run of small triangles leaves only larger ones, but vectors leave what has no room for blocks.
+    // Where runs draw the small triangles, only larger ones get here; vectors also leave small ones for which blocks
+    // have no room.
     constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided && !kHasVectors;
     constexpr bool kGouraud = shade == Shade::gouraud;
     [[maybe_unused]] const Colour* colours[3] = {nullptr, nullptr, nullptr};
@@ -207,7 +210,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     draw_narrow_spans<shade>(target, batch, provoking, a, b, c);
   }
 
-  /// Cannot be inlined: the stack of what it calls.
+  /// Not inlined, because the functions that it calls need stack.
   template <Shade shade>
   [[gnu::noinline]] static bool draw_medium_with_texture(const StripTarget& target, const Batch& batch,
                                                          const Triangle& provoking,
@@ -230,7 +233,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
                                                  {corners, colours, batch.surface});
   }
 
-  /// Cannot be inlined: small triangles keep the registers that it would take.
+  /// Not inlined, because it would take registers from the small triangles.
   template <Shade shade>
   [[gnu::noinline]] static void draw_narrow_spans(const StripTarget& target, const Batch& batch,
                                                   const Triangle& provoking, const SnappedVertex& a,

@@ -1,4 +1,4 @@
-// Attributes of a triangle's vertices beside place and depth: colours and texture coordinates, if its shade has them.
+// Loads the attributes of a triangle's vertices that its shade needs: colours and texture coordinates.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace zstrip::detail {
 
-/// A meshlet with its vertices transformed, ready to be drawn into a strip.
+/// A meshlet with transformed vertices, ready to be drawn into a strip.
 struct Batch {
   const CompiledInstance* instance;
   const Mesh* mesh;
-  const SnappedVertex* vertices;  ///< of mesh vertex first_vertex on
-  const Colour* colours;          ///< likewise; null where no vertex has its own colour
+  const SnappedVertex* vertices;  ///< begins with the mesh's vertex first_vertex
+  const Colour* colours;          ///< in the same order; null if no vertex has its own colour
   std::uint32_t first_vertex;
   RasterOrigin origin;
   Surface surface;
@@ -24,13 +24,14 @@ struct Batch {
 
 /// The batch of a renderer with effect::environment.
 struct ReflectingBatch : Batch {
-  TexCoord* reflections;  ///< as `vertices`, of 15 bits; null where the mesh's own texture coordinates are drawn
+  TexCoord* reflections;  ///< in the same order, with 15 fraction bits; null if the mesh's own texture coordinates are
+                          ///< used
 };
 
 template <Effects effects>
 using BatchOf = std::conditional_t<effects.has(effect::environment), ReflectingBatch, Batch>;
 
-/// Texels, 16.16, of a texture coordinate.
+/// Converts a texture coordinate to texels, 16.16.
 constexpr std::int32_t texels(std::int16_t coordinate, std::uint8_t log2_size, std::uint8_t fraction_bits) {
   const int shift = 16 + log2_size - fraction_bits;  // 1 .. 23
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::int32_t{coordinate}) << shift);
@@ -42,7 +43,7 @@ struct VertexAttributes {
   static constexpr bool kColours = has_vertex_colours(effects);
   using Batch = BatchOf<effects>;
 
-  /// Colour and texture coordinates, as far as `shade` reads them.
+  /// Loads colour and texture coordinates if `shade` reads them.
   template <Shade shade, class Vertex>
   static void load(const Batch& batch, std::uint32_t index, Vertex& vertex) {
     if constexpr (shade == Shade::gouraud || shade == Shade::textured_gouraud || shade == Shade::textured_flat) {
@@ -50,7 +51,7 @@ struct VertexAttributes {
     }
     if constexpr (shade == Shade::fragments) {
       const Shade kind = without_fragments(batch.instance->shade);
-      const bool white = kind == Shade::textured;  // texels as they are
+      const bool white = kind == Shade::textured;  // texels are not multiplied
       set_colour(vertex, white ? Colour{255, 255, 255, 255} : colour_of(batch, index));
       if (!kTextures || kind < Shade::textured) return;
     }
@@ -71,7 +72,8 @@ struct VertexAttributes {
     vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);
   }
 
-  /// A flat triangle has the colour of its first vertex, whatever clipping and culling do to the order.
+  /// Returns the colour of the triangle's first vertex; clipping and culling may have changed the order of the
+  /// vertices.
   template <Shade shade>
   static std::uint16_t flat_colour(const Batch& batch, const Triangle& triangle) {
     if constexpr (shade == Shade::flat && kColours) {
@@ -80,7 +82,7 @@ struct VertexAttributes {
     return batch.surface.flat_colour;
   }
 
-  /// Where the first vertex decides, all get its colour.
+  /// Gives all vertices the colour of the first one, for flat shades.
   template <Shade shade>
   static void take_first_colour(const Batch& batch, const Triangle& provoking, RasterVertex (&vertices)[3]) {
     if constexpr (shade != Shade::textured_flat && shade != Shade::fragments) return;

@@ -1,4 +1,4 @@
-// A triangle of a meshlet, transformed again in full width and clipped: the polygon that is left of it.
+// Transforms a triangle of a meshlet again in full width, and clips it to a polygon.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace zstrip::detail {
 
-/// Planes start at vertex a and round there. Rotated so that the vertex of least order becomes a, a triangle has the
-/// same depths and colours whichever of its vertices comes first.
+/// Rotates the indices so that the vertex of least order becomes a. Planes start at vertex a, so that a triangle then
+/// has the same depths and colours whichever vertex is its first.
 template <class Order, class Corner>
 void rotate_to_first(const Order& order, Corner& ia, Corner& ib, Corner& ic) {
   const auto a = order(ia), b = order(ib), c = order(ic);
@@ -27,8 +27,8 @@ void rotate_to_first(const Order& order, Corner& ia, Corner& ib, Corner& ic) {
   }
 }
 
-/// The part of a set of effects that changes how a triangle is clipped. TriangleClipper is made for these, so that
-/// pipelines and shades share its code.
+/// The effects that change how a triangle is clipped. TriangleClipper is instantiated for these, so that pipelines and
+/// shades share its code.
 constexpr Effects clip_effects(Effects effects) {
   const Effects sides = shows_both_sides(effects) ? effect::two_sided : Effects{};
   return sides | (effects & (effect::orthographic | effect::depth_formats | effect::outlines));
@@ -39,7 +39,8 @@ struct TriangleClipper {
   static_assert(without(effects, effect::two_sided) == without(clip_effects(effects), effect::two_sided));
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
 
-  /// The corners in full width, and which vertices of the mesh they are. Colours and texture coordinates are zeros.
+  /// Computes the corners in full width and the mesh's indices of these vertices. Colours and texture coordinates are
+  /// set to 0.
   [[gnu::noinline]] static void begin(const Batch& batch, const Triangle& triangle, ClipPolygon& clipped,
                                       std::uint32_t (&indices)[3]) {
     clipped.count = 3;
@@ -52,7 +53,7 @@ struct TriangleClipper {
     for (int i = 0; i < 3; ++i) set_vertex(batch, indices[i], clipped.vertices[i]);
   }
 
-  /// The polygon of what is left of the triangle; false if nothing of it faces the viewer.
+  /// Clips the triangle to a polygon. Returns false if no part of it faces the viewer.
   [[gnu::noinline]] static bool finish(const Batch& batch, ClipPolygon& clipped, RasterPolygon& polygon) {
     if constexpr (kOrthographic) {
       clip_orthographic(clipped, *batch.instance);
@@ -63,7 +64,7 @@ struct TriangleClipper {
     return polygon.face_front(effects.has(effect::two_sided) && batch.instance->double_sided);
   }
 
-  /// All of it, without colours and texture coordinates.
+  /// Runs begin() and finish(), without colours and texture coordinates.
   [[gnu::noinline]] static bool clip(const Batch& batch, const Triangle& triangle, RasterPolygon& polygon) {
     ClipPolygon clipped;
     std::uint32_t indices[3];
@@ -71,7 +72,7 @@ struct TriangleClipper {
     return finish(batch, clipped, polygon);
   }
 
-  /// Along the viewing direction, in the instance's own scale.
+  /// Returns the distance along the viewing direction, in the instance's own scale.
   static std::int32_t distance_of(const Batch& batch, std::uint32_t index) {
     if constexpr (effects.has(effect::outlines)) {
       if (is_outline(*batch.instance)) return hull_vertex<kOrthographic>(*batch.instance, *batch.mesh, index).w;
@@ -100,7 +101,7 @@ struct TriangleClipper {
       p.depth = project_wide_depth<kOrthographic, depth_format(effects)>(*batch.instance, batch.origin, v);
     }
     if constexpr (effects.has(effect::outlines)) {
-      // Not beyond the guard band: both neighbours stop there.
+      // Stops at the guard band, so that both neighbours move the vertex by the same amount.
       const auto moved = [](std::int32_t from, std::int32_t by) {
         constexpr std::int32_t kGuard = std::int32_t{1} << kGuardBits;
         return std::clamp(from + by, -kGuard, kGuard);
@@ -111,7 +112,7 @@ struct TriangleClipper {
   }
 };
 
-/// Returns this part for a renderer with these effects.
+/// The clipper of a renderer with these effects.
 template <Effects effects>
 using ClipperFor = TriangleClipper<clip_effects(effects)>;
 

@@ -1,4 +1,4 @@
-// RGB565: packing, sums of pixels, and texels times light.
+// RGB565: packs channels, adds pixels, multiplies texels by light.
 #pragma once
 
 #include <cstdint>
@@ -12,40 +12,42 @@ constexpr std::uint16_t rgb565(const Colour& c) {
   return static_cast<std::uint16_t>(((c.r & 0xF8U) << 8) | ((c.g & 0xFCU) << 3) | (c.b >> 3));
 }
 
-/// Channels in 8.16, not below 0 or from 256 on.
+/// Packs channels in 8.16, 0 <= channel < 256.
 constexpr std::uint16_t rgb565(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
   return static_cast<std::uint16_t>(((r >> 8) & 0xF800U) | ((g >> 13) & 0x07E0U) | (b >> 19));
 }
 
-/// Channels of 8 bits, with a threshold of kBayer.
+/// Packs channels of 8 bits, dithered with a threshold of kBayer.
 constexpr std::uint16_t dithered_rgb565(std::uint32_t r, std::uint32_t g, std::uint32_t b, std::uint32_t threshold) {
   return static_cast<std::uint16_t>((dithered<5>(r, threshold) << 11) | (dithered<6>(g, threshold) << 5) |
                                     dithered<5>(b, threshold));
 }
 
-/// Green of one pixel of a pair and red and blue of the other, each with five bits above it: room for a sum of 32.
+/// The mask for green of one pixel of a pair, and red and blue of the other. Each channel has five free bits above it,
+/// for a sum of 32 pixels.
 inline constexpr std::uint32_t kSpreadChannels = 0x07E0F81F;
 inline constexpr std::uint32_t kOneInEach = (1U << 21) | (1U << 11) | 1U;
 
-/// A channel's start value for interpolation, 8.16: half a unit added, so that an error below 1/2 never wraps.
+/// Returns a channel's start value for interpolation, 8.16. Half a unit is added, so that an error below 1/2 never
+/// wraps.
 constexpr std::int32_t channel_start(std::uint8_t channel) { return (channel << 16) | 0x8000; }
 
-/// The factor, 0 .. 256, of a light channel in 8.16.
+/// Converts a light channel in 8.16 to a factor, 0 .. 256.
 constexpr std::uint32_t light_factor(std::uint32_t channel) {
   const std::uint32_t whole = channel >> 16;
   return whole + (whole >> 7);
 }
 
-/// Texel times light, of factors.
+/// Multiplies a texel by light factors.
 constexpr std::uint16_t multiplied(std::uint16_t texel, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-  // Rounded to nearest: a texel has 5 or 6 bits, rounding down would darken it by half a step.
+  // Rounds to nearest: with 5 or 6 bits, rounding down would darken a texel by half a step.
   const std::uint32_t red = ((texel >> 11) * r + 128) >> 8;
   const std::uint32_t green = (((texel >> 5) & 0x3FU) * g + 128) >> 8;
   const std::uint32_t blue = ((texel & 0x1FU) * b + 128) >> 8;
   return static_cast<std::uint16_t>((red << 11) | (green << 5) | blue);
 }
 
-/// Texel times light; light channels in 8.16.
+/// Multiplies a texel by light channels in 8.16.
 constexpr std::uint16_t modulated(std::uint16_t texel, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
   return multiplied(texel, light_factor(r), light_factor(g), light_factor(b));
 }

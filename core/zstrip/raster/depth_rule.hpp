@@ -1,5 +1,5 @@
-// The depth of a pixel loop: which cell a pixel has, how a stepped value becomes a code, and which fragments are
-// drawn. With z16 and the default test all of it is "greater than the cell".
+// Depth in a pixel loop: the type of a cell, the conversion of a stepped value to a code, and the depth test. With z16
+// and the default test this is "greater than the cell".
 #pragma once
 
 #include <algorithm>
@@ -15,27 +15,28 @@
 
 namespace zstrip::detail {
 
-/// The use that a fragment makes of the z-buffer.
+/// How a fragment uses the z-buffer.
 enum class DepthUse : std::uint8_t {
-  tested,   ///< drawn where it is nearer
-  written,  ///< known to be nearer
-  none,     ///< drawn; there is no z-buffer
-  matched,  ///< drawn where it is what the z-buffer holds, of a CSG operand
-  layered,  ///< not drawn: csg_layers.hpp
+  tested,   ///< drawn if it is nearer
+  written,  ///< drawn without a test, because it is known to be nearer
+  none,     ///< drawn without a z-buffer
+  matched,  ///< drawn if its code equals the cell's, for a CSG operand
+  layered,  ///< not drawn; see csg_layers.hpp
 };
 
-/// The part of the effects that the pixel loops test; a structural type, so that it can be a template argument.
+/// The effects that the pixel loops depend on. A structural type, so that it can be a template argument.
 struct DepthMode {
   DepthFormat format = DepthFormat::z16;
-  bool state = false;  ///< test, write and bias are the material's
+  bool state = false;  ///< test, write and bias come from the material
   DepthUse use = DepthUse::tested;
   std::uint32_t methods = 0;  ///< Effects::methods
-  bool counted = false;       ///< with methods: fragments are counted
+  bool counted = false;       ///< fragments are counted; only with methods
 
   friend constexpr bool operator==(const DepthMode&, const DepthMode&) = default;
 
   constexpr Effects method() const { return {0, methods}; }
-  /// Both rasterisers cover the same pixels, but only the codes of one are the same whatever a triangle's shade is.
+  /// True if codes of different draws are compared. Both rasterisers cover the same pixels, but only the span
+  /// rasteriser's codes do not depend on the shade.
   constexpr bool compares_codes() const { return use == DepthUse::matched || use == DepthUse::layered; }
   constexpr DepthMode with(DepthUse other) const { return {format, state, other, methods, counted}; }
 };
@@ -51,30 +52,30 @@ constexpr DepthMode depth_mode(Effects effects) {
           effects.methods != 0 && effects.has(effect::statistics)};
 }
 
-/// Settings of the depth modes other than the default, made once for each meshlet.
+/// Settings of depth modes other than the default, set once for each meshlet.
 struct DepthSettings {
   DepthTest test = DepthTest::nearer;
   bool write = true;
   std::int32_t bias = 0;                        ///< codes
   Fixed slope_bias = 0;                         ///< 16.16
   std::int32_t bias_clamp = 0;                  ///< codes
-  std::uint32_t smallest = 1, largest = 65534;  ///< codes that a bias does not leave
+  std::uint32_t smallest = 1, largest = 65534;  ///< a bias keeps codes within this range
 };
 
-/// True if fragments with these settings can only bring cells nearer, and only where their own vertices are.
+/// True if fragments with these settings can only bring cells nearer, within the depths of their own vertices.
 constexpr bool is_plain(const DepthSettings& settings) {
   return settings.test == DepthTest::nearer && settings.bias == 0 && settings.slope_bias == 0;
 }
 
-/// A strip with these settings, for the modes that have any.
+/// The strip for modes that have settings.
 struct StripTargetWithDepth : StripTarget {
   DepthSettings settings;
 };
-/// With a visibility method.
+/// The strip for a visibility method.
 struct StripTargetWithMethod : StripTargetWithDepth {
   MethodState* method;
 };
-/// A pass of CSG over its layers.
+/// The state of a CSG pass over its layers.
 struct CsgPass;
 struct StripTargetWithLayers : StripTargetWithDepth {
   const CsgPass* pass;
@@ -88,13 +89,13 @@ using TargetFor =
 template <DepthFormat format>
 using DepthCell = std::conditional_t<depth_bytes(format) == 4, std::uint32_t, std::uint16_t>;
 
-/// near / w (0.32) to 16.16 codes of an octave of DepthFormat::float16, exact for its snapped vertices. Beyond the
-/// octave the same line goes on.
+/// Converts near / w (0.32) to 16.16 codes of an octave of DepthFormat::float16; exact for the octave's snapped
+/// vertices. Outside of the octave it continues the same line.
 constexpr std::int64_t float16_depth(std::uint32_t near_over_w, std::uint32_t octave) {
   return ((std::int64_t{near_over_w} << 4) >> octave) + (std::int64_t{octave} << 29);
 }
 
-/// Depth in 1/2^32 of all codes (near / w for the formats that have that) as DepthRule steps it.
+/// Converts depth in 1/2^32 of all codes (near / w for formats that store it) to the value that DepthRule steps.
 template <DepthFormat format>
 constexpr auto stepped_depth(std::uint32_t depth) {
   if constexpr (format == DepthFormat::z16) {
@@ -107,7 +108,7 @@ constexpr auto stepped_depth(std::uint32_t depth) {
   }
 }
 
-/// Stepped depth to a code.
+/// Converts stepped depth to a code.
 template <DepthFormat format, class Value>
 constexpr DepthCell<format> depth_code(Value value) {
   if constexpr (format == DepthFormat::z24) {
@@ -117,7 +118,7 @@ constexpr DepthCell<format> depth_code(Value value) {
   }
 }
 
-/// A triangle's depth bias in codes; see conventions.md. `vertex codes` have `bits` fraction bits.
+/// Returns a triangle's depth bias in codes; see docs/conventions.md. The vertices' codes have `bits` fraction bits.
 template <class Vertex>
 constexpr std::int64_t depth_bias(const DepthSettings& settings, const Vertex& v0, const Vertex& v1, const Vertex& v2,
                                   const std::int64_t (&codes)[3], int bits, std::int64_t area) {
@@ -125,7 +126,7 @@ constexpr std::int64_t depth_bias(const DepthSettings& settings, const Vertex& v
   if (settings.slope_bias != 0) {
     const std::int64_t d1 = codes[1] - codes[0];
     const std::int64_t d2 = codes[2] - codes[0];
-    const auto slope = [&](std::int64_t along) {  // a pixel, from the edge functions' numerator a sub-pixel
+    const auto slope = [&](std::int64_t along) {  // per pixel, from the edge functions' numerator per sub-pixel
       if (along < 0) along = -along;
       const std::int64_t whole = along / area;
       if (whole >= std::int64_t{1} << (26 + bits)) return std::int64_t{1} << (30 + bits);
@@ -143,18 +144,18 @@ constexpr std::int64_t depth_bias(const DepthSettings& settings, const Vertex& v
   return rounded;
 }
 
-/// Test and write of a triangle's fragments.
+/// The depth test and depth write of a triangle's fragments.
 template <DepthMode mode>
 class DepthRule {
  public:
   using Cell = DepthCell<mode.format>;
-  /// True if the rule only draws fragments whose code, the upper half of a word, is greater than the cell.
+  /// True if the rule draws exactly the fragments whose code, the upper half of a word, is greater than the cell.
   static constexpr bool kNearerOnly = (mode.format == DepthFormat::z16 || mode.format == DepthFormat::float16) &&
                                       mode.use == DepthUse::tested && !mode.state && !mode.counted;
 
-  /// The default's.
+  /// For the default mode.
   constexpr DepthRule() = default;
-  /// `area` is twice the signed area. Vertices have x, y in sub-pixels and depth as project_depth gives it.
+  /// `area` is twice the signed area. Vertices have x, y in sub-pixels and the depth of project_depth.
   template <class Vertex>
   constexpr DepthRule(const TargetFor<mode>& target, const Vertex& v0, const Vertex& v1, const Vertex& v2,
                       std::int64_t area) {
@@ -171,12 +172,12 @@ class DepthRule {
     }
   }
 
-  /// Without a bias.
+  /// Returns the code without a bias.
   template <class Value>
   constexpr Cell code(Value value) const {
     return depth_code<mode.format>(value);
   }
-  /// Returns true if a fragment of stepped depth `value` is drawn; it is then in the cell.
+  /// Returns true if a fragment of stepped depth `value` is drawn, and then stores it in the cell.
   template <class Value>
   constexpr bool draws(Value value, Cell& cell) const {
     const bool drawn = decides(value, cell);
@@ -184,13 +185,13 @@ class DepthRule {
     if (drawn) count_write(cell);
     return drawn;
   }
-  /// Tests a fragment that may still be discarded: `kept` is the value that the cell would then hold.
+  /// Tests a fragment that may still be discarded. `kept` becomes the value that the cell would then hold.
   template <class Value>
   constexpr bool may_draw(Value value, Cell& kept) const {
     count_test();
     return decides(value, kept);
   }
-  /// Follows may_draw, once the fragment is drawn. `writes`: it hides what is behind it.
+  /// Call it after may_draw when the fragment is drawn. `writes`: the fragment hides what lies behind it.
   constexpr void drawn(Cell kept, bool writes, Cell& cell) const {
     if constexpr (mode.use != DepthUse::none) {
       if (writes) cell = kept;
@@ -243,9 +244,9 @@ class DepthRule {
   }
 
   struct State {
-    std::uint8_t test = 0;  ///< DepthTest's bits
+    std::uint8_t test = 0;  ///< bits of DepthTest
     bool write = true;
-    std::int32_t bias = 0;  ///< codes, at most `largest` either way
+    std::int32_t bias = 0;  ///< codes, at most `largest` in magnitude
     std::uint32_t smallest = 1, largest = 0;
   };
   struct NoState {};

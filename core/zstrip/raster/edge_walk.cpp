@@ -1,4 +1,4 @@
-// An edge of wide coordinates, set up in 64 bits; see edge_walk.hpp.
+// Sets up an edge of wide coordinates in 64 bits; see edge_walk.hpp.
 #include "zstrip/raster/edge_walk.hpp"
 
 #include "zstrip/base/division.hpp"
@@ -6,9 +6,9 @@
 namespace zstrip::detail {
 namespace {
 
-// A product of two differences of wide coordinates, twice, and the denominator to round up.
+// Twice the product of two differences of wide coordinates, plus the denominator for rounding up.
 static_assert(2 * (kGuardBits + 1) + 1 < 62);
-// The denominator, 16 differences; clipping rounds to a sixteenth beyond the guard band.
+// The denominator is 16 times a difference; clipping may round to 1/16 beyond the guard band.
 static_assert(4 + kGuardBits + 1 < 31);
 
 struct Floor {
@@ -16,7 +16,7 @@ struct Floor {
   std::uint32_t rest;
 };
 
-/// Returns the floor of a quotient that has 32 bits: a pixel, or pixels a row.
+/// Returns the floor of a quotient that fits 32 bits: a pixel, or pixels a row.
 Floor floor_of(std::int64_t numerator, std::uint32_t denominator) {
   const bool negative = numerator < 0;
   const auto [quotient, rest] = divide_long(static_cast<std::uint64_t>(negative ? ~numerator : numerator), denominator);

@@ -1,4 +1,4 @@
-// An edge stepped row by row as an exact rational: quotient and remainder, no error at any row.
+// Steps an edge row by row as an exact rational, quotient and remainder, without an error in any row.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace zstrip::detail {
 
-/// `pixel` is the first pixel whose centre is not left of the edge, so a span [left.pixel, right.pixel) obeys the
-/// top-left rule by itself.
+/// `pixel` is the first pixel whose centre is not left of the edge, so that a span [left.pixel, right.pixel) obeys the
+/// top-left rule.
 struct EdgeWalk {
   EdgeWalk() = default;
   /// The edge from (x0, y0) down to (x1, y1), y0 < y1, at the pixel row `row`, whose centre lies in y0 .. y1. `narrow`:
-  /// whether the coordinates are, a bool or std::true_type; the pixels do not depend on it (docs/numerics.md).
-  // Where many pipelines share a file, GCC would call it: up to 2 % of R10k on the host.
+  /// the coordinates are narrow; a bool or std::true_type. The pixels do not depend on it (docs/numerics.md).
+  // GCC does not inline it in a file with many pipelines, which costs up to 2 % of R10k on the host.
   template <class Narrow>
   [[gnu::always_inline]] EdgeWalk(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row,
                                   Narrow narrow) {
@@ -29,7 +29,7 @@ struct EdgeWalk {
     const std::int32_t dy = y1 - y0;
     // pixel = ceil(((x0 - centre) dy + (row centre - y0) dx) / (16 dy))
     if constexpr (!kDivides) {
-      // By dx = step dy + rest only the rest is divided: the quotient has few bits, which is what a division takes.
+      // With dx = step dy + rest only the rest is divided: the time of a division depends on the bits of the quotient.
       std::int32_t rest = 0;
       divide(dx, dy, step, rest);
       const std::int32_t down = row * 16 + kPixelCentre - y0;
@@ -62,15 +62,15 @@ struct EdgeWalk {
   }
 
   std::int32_t pixel = 0;
-  std::uint32_t remainder = 0;  ///< this and those below less than 2^31, of wide edges too
+  std::uint32_t remainder = 0;  ///< this and the members below are less than 2^31, also for wide edges
   std::int32_t step = 0;
   std::uint32_t remainder_step = 0, denominator = 1;
 
  private:
-  /// Returned, not made in place: an edge whose address is known would be stepped in memory.
+  /// Returned by value: the compiler would step an edge whose address is taken in memory.
   static EdgeWalk wide(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
 
-  /// Rounds down; the remainder is not negative.
+  /// Divides and rounds down, so that the remainder is not negative.
   static void divide(std::int32_t numerator, std::int32_t by, std::int32_t& quotient, std::int32_t& rest) {
     if constexpr (kDivides) {
       quotient = numerator / by;
@@ -80,7 +80,7 @@ struct EdgeWalk {
         --quotient;
       }
     } else {
-      // Unsigned, so that no division of signed numbers is linked. floor(-(n + 1) / d) = -(floor(n / d) + 1)
+      // Unsigned, so that no signed division is linked. floor(-(n + 1) / d) = -(floor(n / d) + 1)
       const std::uint32_t sign = numerator < 0 ? ~std::uint32_t{0} : 0;
       const auto magnitude = static_cast<std::uint32_t>(numerator) ^ sign;
       const auto divisor = static_cast<std::uint32_t>(by);

@@ -1,4 +1,4 @@
-// The triangles of a meshlet that face the viewer, for what comes before drawing: extents, bins, sorting.
+// Finds the triangles of a meshlet that face the viewer, for the stages before drawing: extents, bins, sorting.
 #pragma once
 
 #include <algorithm>
@@ -10,23 +10,23 @@
 
 namespace zstrip::detail {
 
-/// Raster pixels that a triangle of narrow vertices can cover. Computed on demand: bins of whole rows never use
+/// The raster pixels that a triangle of narrow vertices can cover, computed on demand: bins of whole rows never use
 /// columns.
 struct NarrowPixels {
   const SnappedVertex &a, &b, &c;
 
   std::int32_t top() const { return least(a.y, b.y, c.y) >> 4; }
   std::int32_t bottom() const { return greatest(a.y, b.y, c.y) >> 4; }
-  /// May be empty.
+  /// Returns the pixels; the rectangle may be empty.
   Rect box() const { return {least(a.x, b.x, c.x) >> 4, top(), greatest(a.x, b.x, c.x) >> 4, bottom()}; }
 
  private:
-  // Whole words are compared, or every comparison would extend halfwords.
+  // These compare whole words because halfwords would be extended for every comparison.
   static std::int32_t least(std::int32_t i, std::int32_t j, std::int32_t k) { return std::min(std::min(i, j), k); }
   static std::int32_t greatest(std::int32_t i, std::int32_t j, std::int32_t k) { return std::max(std::max(i, j), k); }
 };
 
-/// The pixels of a triangle that was clipped, likewise.
+/// The pixels that a clipped triangle can cover.
 struct ClippedPixels {
   Rect pixels;
 
@@ -43,9 +43,8 @@ template <Effects effects>
 struct Facing {
   using Assembler = AssemblerFor<effects>;
 
-  /// Calls visit(index, pixels) for each triangle that faces the viewer, until it returns false, which is then the
-  /// result; `pixels` is a NarrowPixels or a ClippedPixels. `all_narrow`: no vertex of the batch needs the clipping
-  /// path.
+  /// Calls visit(index, pixels) for each triangle that faces the viewer, until visit returns false; returns false then.
+  /// `pixels` is a NarrowPixels or a ClippedPixels. `all_narrow`: no vertex of the batch needs the clipping path.
   template <class Visit>
   static bool for_each(const BatchOf<effects>& batch, std::span<const Triangle> triangles, bool all_narrow,
                        const Visit& visit) {
@@ -66,7 +65,7 @@ struct Facing {
   template <bool all_narrow, class Turn, class Visit>
   static bool for_each(const BatchOf<effects>& batch, std::span<const Triangle> triangles, const Turn& turn,
                        const Visit& visit) {
-    // Where the mesh's vertex 0 would be: the cache has a run of them.
+    // The address of the mesh's vertex 0, although the cache holds only a run of vertices.
     const std::uintptr_t vertices =
         reinterpret_cast<std::uintptr_t>(batch.vertices) - batch.first_vertex * sizeof(SnappedVertex);
     const auto vertex = [vertices](std::uint32_t index) -> const SnappedVertex& {

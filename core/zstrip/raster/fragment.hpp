@@ -1,5 +1,5 @@
-// The span loop of instances whose fragments have effects: depth test, then the stages that exist, then the write.
-// Slower than the loops of textured_span.hpp, which draw all other instances of the same scene.
+// The span loop of instances whose fragments have effects: depth test, then the stages of the effects, then the write.
+// Slower than the loops of textured_span.hpp, which draw the other instances of the scene.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 
 namespace zstrip::detail {
 
-/// `share` 0..256 of a, the rest of b; rounded to nearest.
+/// Returns the mean of `a`, weighted `share` (0..256), and `b`, weighted 256 - share, rounded to nearest.
 constexpr std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t share) {
   return (a * share + b * (256 - share) + 128) >> 8;
 }
 
-/// Texel times light, channels of 8.16; light of 255 leaves the texel as it is.
+/// Multiplies a texel by light channels of 8.16; light of 255 leaves the texel unchanged.
 constexpr FragmentColour modulated(const FragmentColour& texel, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
   const auto product = [](std::uint32_t channel, std::uint32_t light) {
     const std::uint32_t whole = light >> 16;
@@ -27,7 +27,7 @@ constexpr FragmentColour modulated(const FragmentColour& texel, std::uint32_t r,
   return {product(texel.r, r), product(texel.g, g), product(texel.b, b), texel.a};
 }
 
-/// Everything that varies over a triangle but its depth, as far as the effects go.
+/// All values of these effects that vary over a triangle, except depth.
 template <Effects effects>
 struct FragmentPlanes {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
@@ -67,7 +67,7 @@ struct FragmentPlanes {
     }
   }
 
-  ColourPlanes light;  ///< constant over a flat triangle, 255 where texels are not lit; vertex colours with pixel_light
+  ColourPlanes light;  ///< constant over a flat triangle; 255 if texels are not lit; vertex colours with pixel_light
   bool textured = false, fogged = false;
   TextureView texture{};
   template <Effects needed, class Member>
@@ -79,10 +79,10 @@ struct FragmentPlanes {
   [[no_unique_address]] typename Sampler::Storage storage;
 };
 
-/// Values that are exact at the ends of a run only, and linear between.
+/// Values that are exact only at the ends of a run, and linear in between.
 struct FragmentPoint {
   TexelPosition texel{};
-  std::uint32_t footprint = 0;  ///< TexelFootprint's
+  std::uint32_t footprint = 0;  ///< TexelFootprint::texels
   std::int32_t visibility = 0;  ///< 0..65536
 };
 
@@ -107,15 +107,16 @@ FragmentPoint point_at(const FragmentPlanes<effects>& planes, std::int32_t colum
   return point;
 }
 
-/// A difference over a run that ends `left` pixels before the end of the span: a step a pixel, rounded down.
+/// Returns the step a pixel for a difference over a run, rounded down. The run begins `left` pixels before the span's
+/// end.
 constexpr std::int32_t step_of_run(std::int32_t difference, std::int32_t left) {
   if (left > kPerspectiveRun) return difference >> 4;
   if (left <= 1) return 0;
   return static_cast<std::int32_t>((difference * static_cast<std::int64_t>(kInverse[left - 1])) >> 16);
 }
 
-/// The stages after the depth test; false if the fragment is discarded. `u`, `v` in 0.32 of the texture, light in 8.16,
-/// `visible` 0..256. With effect::dithered_colours a threshold of kBayer comes last.
+/// Runs the stages after the depth test. Returns false if the fragment is discarded. `u`, `v` in 0.32 of the texture,
+/// light in 8.16, `visible` 0..256. With effect::dithered_colours the last argument is a threshold of kBayer.
 template <Effects effects, class... Threshold>
 bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSettings& settings,
                     [[maybe_unused]] const typename FragmentPlanes<effects>::Sampler& sampler, std::uint32_t r,
@@ -124,7 +125,7 @@ bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSetting
                     Threshold... threshold) {
   constexpr bool kTextureAlpha = effects.has(effect::texture_alpha);
   if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) {
-    // As TexturedRun does, so that a palette changes no pixel, and a smaller level only the texel.
+    // Rounds as TexturedRun does, so that a palette changes no pixel and a smaller level changes only the texel.
     if (planes.storage.only_effect) {
       pixel = modulated(sampler.nearest_word(u, v), r, g, b);
       return true;
@@ -174,7 +175,7 @@ bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSetting
   return true;
 }
 
-/// A span of one triangle. `target` has its instance's settings.
+/// Draws a span of one triangle. `target` has the settings of the triangle's instance.
 template <Effects effects, class DepthPlane, class Rule>
 void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                     const FragmentPlanes<effects>& planes, const TargetOf<effects>& target, Statistics* counters) {
@@ -193,7 +194,7 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
     axis_u = TextureAxis(planes.texture.log2_width);
     axis_v = TextureAxis(planes.texture.log2_height);
   }
-  // As in fill_textured: runs count from the whole span's left end, whatever the strip holds of it.
+  // As in fill_textured, runs are counted from the left end of the whole span, so that they do not depend on the strip.
   std::int32_t before = span.skipped & (kPerspectiveRun - 1);
   std::int32_t column = span.columns - before;
   std::int32_t left = span.whole_length - span.skipped + before;
@@ -202,7 +203,8 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
   std::uint16_t* pixel = span.colour;
   FragmentPoint from = point_at(planes, column, span.rows);
   for (;;) {
-    // A full run ends at the next one's first pixel, the last run at its own last pixel: always inside the triangle.
+    // A full run ends at the first pixel of the next run, the last run at its own last pixel, so that both are inside
+    // the triangle.
     const std::int32_t length = std::min(left, kPerspectiveRun);
     const FragmentPoint to =
         left > 1 ? point_at(planes, column + (left > kPerspectiveRun ? length : length - 1), span.rows) : from;
@@ -219,11 +221,12 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
     std::int32_t visible = 0, step_visible = 0;  // 8.16, up to 256
     if constexpr (kFog) {
       step_visible = step_of_run((to.visibility - from.visibility) * 256, left);
-      visible = from.visibility * 256 + 128 + step_visible * before;  // 128: steps rounded down do not fall below 0
+      visible = from.visibility * 256 + 128 + step_visible * before;  // 128 keeps steps that are rounded down from
+                                                                      // falling below 0
     }
     const std::int32_t drawn = std::min(length - before, to_draw);
     for (std::int32_t i = 0; i < drawn; ++i) {
-      // The cell is written last: stages may still discard the fragment, and what is blended hides nothing.
+      // The cell is written last: the stages may discard the fragment, and a blended fragment hides nothing.
       typename Rule::Cell kept = *cell;
       bool shown = rule.may_draw(z, kept);
       const std::uint32_t share = static_cast<std::uint32_t>(visible) >> 16;
@@ -269,7 +272,7 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
   }
 }
 
-/// Draws a counter-clockwise triangle of an instance whose fragments have effects. `narrow`: as draw_span_triangle.
+/// Draws a counter-clockwise triangle of an instance whose fragments have effects. `narrow`: see draw_span_triangle.
 template <Effects effects, class Narrow>
 void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex& v0, const RasterVertex& v1,
                             const RasterVertex& v2, const FragmentSurface<effects>& surface, Narrow narrow) {

@@ -1,4 +1,4 @@
-// Settings for the fragments of an instance beyond its vertices, and the strip that carries them to the span loop.
+// The settings of an instance's fragments, and the strip types that carry them to the span loop.
 #pragma once
 
 #include <cstdint>
@@ -11,52 +11,52 @@
 
 namespace zstrip::detail {
 
-/// Once for each meshlet.
+/// Set once for each meshlet.
 struct FragmentSettings {
-  std::uint8_t alpha = 255;  ///< the material's
-  std::uint8_t cutoff = 0;   ///< least alpha that is drawn
+  std::uint8_t alpha = 255;  ///< alpha of the material
+  std::uint8_t cutoff = 0;   ///< fragments with a smaller alpha are not drawn
   bool blends = false;
   bool bilinear = false;
   bool has_texture_alpha = false;
   bool textured = false;
   const FogCurve* fog = nullptr;  ///< only with effect::fog
-  std::int64_t depth_offset = 0;  ///< of FogPlane
+  std::int64_t depth_offset = 0;  ///< FogPlane's offset
 };
 
-/// A strip with these settings, for effects that have any.
+/// The strip with these settings, for effects that have them.
 template <class Target>
 struct TargetWithFragments : Target {
   FragmentSettings fragments;
 };
 
-/// In place of a member whose effect is missing.
+/// Takes the place of a member whose effect is missing.
 struct Absent {};
 template <Effects effects, Effects needed, class Member>
 using MemberIf = std::conditional_t<effects.has(needed), Member, Absent>;
 
-/// How the texels of an instance are kept.
+/// The storage of an instance's texels.
 struct TexelStorage {
   TextureFormat format = TextureFormat::rgb565;
   std::uint8_t smaller_levels = 0;
-  bool only_effect = false;  ///< all else of its fragments is as without effects
+  bool only_effect = false;  ///< fragments have no other effect than this storage
 };
 
 struct CompiledInstance;
 struct InstanceShading;
 struct FrameLights;
 
-/// The light on the pixels of an instance; read only where it has_lit_fragments.
+/// The light on the pixels of an instance; read only if has_lit_fragments.
 struct PixelLightSettings {
   const CompiledInstance* instance = nullptr;
   const Scene* scene = nullptr;
   const FrameLights* lights = nullptr;
-  const InstanceShading* shading = nullptr;  ///< null where the instance has no local light
+  const InstanceShading* shading = nullptr;  ///< null if the instance has no local light
   Finish finish{};
-  Colour colour{};  ///< the material's
+  Colour colour{};  ///< colour of the material
 };
 
-/// With what dithering, palettes or mipmaps, and lit fragments add, any of which a renderer may have where the picture
-/// or an instance has not.
+/// Adds the settings of dithering, palettes or mipmaps, and lit fragments. The renderer has these effects; the picture
+/// or an instance may not use them.
 template <class Target, bool dithering, bool stored, bool lit>
 struct TargetWithColours : Target {
   [[no_unique_address]] std::conditional_t<dithering, bool, Absent> dithered;
@@ -76,11 +76,11 @@ struct TargetOfEffects {
                                    TargetWithColours<WithFragments, kDithers, kStores, kLights>, WithFragments>;
   using Type = std::conditional_t<effects.any(effect::fragments), Drawn, WithDepth>;
 };
-/// The strip as the rasterisers of these effects take it.
+/// The strip type for the rasterisers with these effects.
 template <Effects effects>
 using TargetOf = typename TargetOfEffects<effects>::Type;
 
-/// Where the pixel that columns and rows count from lies in the picture, as far as a threshold needs it.
+/// The position in the picture of the anchor from which columns and rows are counted; only its lowest bits are needed.
 struct DitherAnchor {
   std::int32_t column = 0, row = 0;
   bool dithered = false;

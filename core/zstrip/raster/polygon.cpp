@@ -1,4 +1,4 @@
-// A clipped and snapped polygon, cut into triangles that cover it once; see polygon.hpp.
+// Cuts a clipped and snapped polygon into triangles that cover it once; see polygon.hpp.
 #include "zstrip/raster/polygon.hpp"
 
 #include "zstrip/raster/edge_walk.hpp"
@@ -10,7 +10,7 @@ int winding_number(const RasterVertex* vertices, int count, std::int32_t column,
   for (int i = 0; i < count; ++i) {
     const RasterVertex* upper = &vertices[i];
     const RasterVertex* lower = &vertices[i + 1 == count ? 0 : i + 1];
-    const int turns = upper->y < lower->y ? 1 : -1;  // counter-clockwise: the edges on the left go down
+    const int turns = upper->y < lower->y ? 1 : -1;  // counter-clockwise: edges on the left go down
     if (turns < 0) std::swap(upper, lower);
     if (row < upper->y >> 4 || row >= lower->y >> 4) continue;
     const std::int32_t first = EdgeWalk(upper->x, upper->y, lower->x, lower->y, row, false).pixel;
@@ -45,7 +45,7 @@ RasterPolygon::Turns RasterPolygon::drop_straight() {
   Turns turns{};
   for (int i = 0; i < count_;) {
     const std::int64_t area = area_at(i);
-    if (area == 0) {  // straight on, or there and back again: its neighbours' corners become others
+    if (area == 0) {  // a straight angle, or an edge there and back; the angles at its neighbours change
       erase(i);
       turns = {};
       i = 0;

@@ -1,4 +1,4 @@
-// The part of a set of effects that changes how triangles become pixels.
+// The effects that change how triangles become pixels.
 #pragma once
 
 #include "zstrip/effects.hpp"
@@ -7,8 +7,9 @@
 
 namespace zstrip::detail {
 
-/// The set that the rasterisers are made for, so that pipelines which differ in other stages share their code: without
-/// what only earlier or later stages do, with vertex_colours for whatever gives vertices a colour.
+/// Returns the set for which the rasterisers are instantiated, so that pipelines which differ in other stages share
+/// their code. It omits the effects of earlier and later stages, and contains vertex_colours if anything gives vertices
+/// a colour.
 constexpr Effects raster_effects(Effects effects) {
   constexpr Effects kOfOtherStages = effect::bins | effect::billboards | effect::csg | effect::dithered_format |
                                      effect::edges | effect::lighting | effect::overlay | effect::shadows |

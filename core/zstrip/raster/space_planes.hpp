@@ -1,5 +1,5 @@
-// Vectors that are linear over a triangle in space: times 1/w they are linear on the screen, and their direction needs
-// no division.
+// Vectors that are linear over a triangle in space. Multiplied by 1/w they are linear on the screen, and their
+// direction needs no division.
 #pragma once
 
 #include <bit>
@@ -11,17 +11,17 @@
 
 namespace zstrip::detail {
 
-/// Any scale.
+/// A vector of any scale.
 struct Vector3 {
   std::int32_t x, y, z;
 };
 
-/// 1/w of a triangle's corners, of one scale, at most 29 bits; orthographic all the same.
+/// 1/w of a triangle's corners in one scale, at most 29 bits; all equal for an orthographic camera.
 template <bool orthographic>
 struct CornerInverses {
   std::int64_t q[3];
 
-  /// `depth_offset`: DepthFit::offset.
+  /// `depth_offset` is DepthFit::offset.
   CornerInverses(const RasterVertex* const (&v)[3], std::int64_t depth_offset) : q{1, 1, 1} {
     if constexpr (!orthographic) {
       std::int64_t bits = 0;
@@ -32,8 +32,8 @@ struct CornerInverses {
   }
 };
 
-/// A vector times 1/w over a triangle, scaled to 30 bits; with rounded steps, half a unit for each of 4096 columns and
-/// rows, below 2^30 + 2^12.
+/// A vector times 1/w over a triangle, scaled to 30 bits. The steps are rounded, half a unit for each of 4096 columns
+/// and rows, so that values stay below 2^30 + 2^12.
 class SpacePlanes {
  public:
   SpacePlanes() = default;
@@ -55,12 +55,12 @@ class SpacePlanes {
     x_ = plane(x), y_ = plane(y), z_ = plane(z);
   }
 
-  /// The vector's direction at a covered pixel, relative to the anchor.
+  /// Returns the vector's direction at a covered pixel. Columns and rows are relative to the anchor.
   Vector3 at(std::int32_t columns, std::int32_t rows) const {
     return {static_cast<std::int32_t>(x_.at(columns, rows)), static_cast<std::int32_t>(y_.at(columns, rows)),
             static_cast<std::int32_t>(z_.at(columns, rows))};
   }
-  /// The vector itself, in its corners' units; `one_over_w` that of the inverses at the pixel.
+  /// Returns the vector in the units of its corners. `one_over_w` is the value of the inverses at the pixel.
   Vector3 divided_at(std::int32_t columns, std::int32_t rows, std::uint32_t one_over_w) const {
     const Vector3 v = at(columns, rows);
     const Reciprocal r = reciprocal_of(one_over_w == 0 ? 1 : one_over_w);

@@ -1,4 +1,4 @@
-// Triangles of any size, row by row: exact edges, one span a row.
+// Draws triangles of any size row by row: exact edges, one span a row.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace zstrip::detail {
 
-/// From above to below.
+/// Sorts three vertices by row, the uppermost first.
 [[gnu::always_inline]] inline void sort_by_row(const RasterVertex*& top, const RasterVertex*& middle,
                                                const RasterVertex*& bottom) {
   if (middle->y < top->y) std::swap(middle, top);
@@ -56,7 +56,7 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
   }
 }
 
-/// The spans of a whole triangle in the rows of a piece of it, from above to below.
+/// The spans of a whole triangle in the rows of one of its parts, from top to bottom.
 template <class Narrow>
 class WholeSpans {
  public:
@@ -66,8 +66,8 @@ class WholeSpans {
     middle_is_right_ = signed_area(*sorted_[0], *sorted_[1], *sorted_[2]) < 0;
   }
 
-  /// First pixel and the one after the last, of a row that the triangle covers; not above the row of the call
-  /// before.
+  /// Returns the first pixel and the one after the last, in a row that the triangle covers. Rows must not go up from
+  /// one call to the next.
   std::pair<std::int32_t, std::int32_t> at(std::int32_t row) {
     const std::int32_t half = row < sorted_[1]->y >> 4 ? 0 : 1;
     if (half != half_) {
@@ -93,10 +93,10 @@ class WholeSpans {
   [[no_unique_address]] Narrow narrow_;
 };
 
-/// A triangle set up: its anchor, its depth, and its spans in a strip.
+/// A triangle after set-up: its anchor, its depth, and its spans in a strip.
 template <DepthMode mode>
 struct SpanTriangle {
-  // A call of its own would pass all of it through memory.
+  // A call would pass all members through memory.
   [[gnu::always_inline]] SpanTriangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
                                       const RasterVertex& v2)
       : area(signed_area(v0, v1, v2)),
@@ -106,9 +106,9 @@ struct SpanTriangle {
         depth(setup, v0, v1, v2),
         rule(target, v0, v1, v2, area) {}
 
-  /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen. Pieces of a triangle only decide
-  /// which pixels are drawn how: everything else is the whole triangle's. `in_runs`: fill counts pixels from the
-  /// left end of the whole span.
+  /// Calls fill(run, depth plane, rule) for all runs in the strip that may be visible. If the triangle is split into
+  /// parts, a part only selects pixels and their rule: all planes are those of the whole triangle. `in_runs`: fill
+  /// counts pixels from the left end of the whole span.
   template <bool statistics, bool in_runs, class Narrow, class Fill>
   void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
             Narrow narrow, const Fill& fill) const {
@@ -132,7 +132,7 @@ struct SpanTriangle {
     }
   }
 
-  struct Unsplit {};  ///< instead of WholeSpans: the part is the whole, or it is not used
+  struct Unsplit {};  ///< takes the place of WholeSpans if the part is the whole triangle, or WholeSpans is not used
 
   /// Walks a part of the triangle.
   template <bool statistics, class Narrow, class Rule, class Whole, class Fill>
@@ -162,14 +162,14 @@ struct SpanTriangle {
   }
 
   std::int64_t area;
-  std::int32_t anchor_x, anchor_y;  ///< a pixel of the picture near the triangle, whatever the strip
+  std::int32_t anchor_x, anchor_y;  ///< a pixel of the picture near the triangle; does not depend on the strip
   PlaneSetup setup;
   TriangleDepth<mode.format> depth;
   DepthRule<mode> rule;
 };
 
-/// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit, a bool or std::true_type; only
-/// speed depends on it. `perspective`: that of zstrip::perspective_run().
+/// Draws a counter-clockwise triangle. `narrow`: all coordinates are within kNarrowLimit; a bool or std::true_type.
+/// Only the speed depends on it. `perspective`: the result of zstrip::perspective_run().
 template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}, std::int32_t perspective = 16,
           class Narrow = bool>
 void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,

@@ -1,4 +1,4 @@
-// The strip being drawn: where its pixels and its z-buffer lie, in raster coordinates.
+// The strip that is being drawn: the addresses of its pixels and its z-buffer, and its area in raster coordinates.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ struct StripTarget {
   Rect area;                         ///< raster pixels: relative to pixel (width / 2, height / 2)
   std::int32_t view_left, view_top;  ///< the picture's upper left corner in raster pixels: planes are anchored to the
                                      ///< picture, not to the strip
-  std::int32_t first_column, first_row;  ///< of the bounding rectangle, raster pixels
-  std::uint16_t* depth;                  ///< the cell of (area.left, area.top); cells of 32 bits with two formats
+  std::int32_t first_column, first_row;  ///< upper left corner of the bounding rectangle, raster pixels
+  std::uint16_t* depth;                  ///< the cell of (area.left, area.top); points to 32-bit cells in two formats
   std::uint16_t* colour;                 ///< the pixel of (area.left, area.top), RGB565
-  std::int32_t depth_stride;             ///< cells from row to row
-  std::int32_t colour_stride;            ///< pixels a row
+  std::int32_t depth_stride;             ///< cells from one row to the next
+  std::int32_t colour_stride;            ///< pixels from one row to the next
   Statistics* statistics;                ///< only with effect::statistics
 
   template <class Cell = std::uint16_t>
@@ -27,7 +27,7 @@ struct StripTarget {
   std::uint16_t* colour_row(std::int32_t y) const { return colour + (y - area.top) * colour_stride; }
 };
 
-/// Returns the strip with a smaller area to draw in: `part` of it.
+/// Returns the strip with the drawing area reduced to `part`.
 template <class Cell, class Target>
 Target part_of(const Target& target, const Rect& part) {
   Target result = target;
@@ -38,18 +38,18 @@ Target part_of(const Target& target, const Rect& part) {
   return result;
 }
 
-/// A texture as the pixel loop reads it.
+/// A texture for the pixel loop.
 struct TextureView {
   const std::uint16_t* texels;
   std::uint8_t log2_width, log2_height;
 };
 
-/// Values that the pixels of a triangle need besides its vertices.
+/// Values that the pixels of a triangle need in addition to its vertices.
 struct Surface {
   std::uint16_t flat_colour;
   TextureView texture;
   std::int64_t depth_offset;         ///< DepthFit::offset
-  bool has_far_coordinates = false;  ///< texture coordinates of the mesh may be 2^14 texels from each other
+  bool has_far_coordinates = false;  ///< the mesh may have texture coordinates that are 2^14 texels apart
 };
 
 }  // namespace zstrip::detail

@@ -1,4 +1,5 @@
-// Perspective-correct texture coordinates: u/w, v/w and 1/w are linear on the screen; one division for each 16 pixels.
+// Perspective-correct texture coordinates: u/w, v/w and 1/w are linear on the screen, so that 16 pixels need one
+// division.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@ struct TexelPosition {
   std::int32_t u, v;  ///< texels, 16.16, modulo 2^16 texels
 };
 
-/// A position, and how far the texture goes by there.
+/// A position, and the distance in the texture from this pixel to the next.
 struct TexelFootprint {
   TexelPosition position;
   std::uint32_t texels;  ///< 24.8, a step to the right or downwards, whichever is longer; docs/conventions.md
@@ -25,17 +26,17 @@ struct TexelFootprint {
 /// The largest footprint: twice the largest texture.
 inline constexpr std::uint32_t kMaxFootprint = 4096U << 8;
 
-/// 1/w needs no interpolant of its own: with perspective the depth code is k / w - offset.
+/// 1/w needs no interpolant of its own: with perspective, depth code = k / w - offset.
 template <bool orthographic>
 class TextureCoordinates {
  public:
   TextureCoordinates() = default;
-  /// `depth_offset` is DepthFit::offset. `planes`: a PlaneSetup, or where fits_words() MediumPlanes, in words of 32
-  /// bits.
+  /// `depth_offset` is DepthFit::offset. `planes` is a PlaneSetup, or MediumPlanes, in words of 32 bits, if
+  /// fits_words().
   template <class Planes, class Vertex>
   TextureCoordinates(const Planes& planes, const Vertex* const (&v)[3], std::int64_t depth_offset) {
     using Value = typename Planes::Value;
-    // Relative to whole texels near vertex 0: small numbers keep their precision.
+    // Coordinates are relative to whole texels near vertex 0: small numbers keep their precision.
     base_u_ = v[0]->u & ~0xFFFF;
     base_v_ = v[0]->v & ~0xFFFF;
     const Value u0 = Value{v[0]->u} - base_u_, u1 = Value{v[1]->u} - base_u_, u2 = Value{v[2]->u} - base_u_;  // 17.16
@@ -45,7 +46,7 @@ class TextureCoordinates {
       v_over_w_ = planes.plane(v0, v1 - v0, v2 - v0);
       return;
     }
-    // 1/w scaled to at most 29 bits.
+    // Scales 1/w to at most 29 bits.
     const std::int64_t inverse0 = std::int64_t{v[0]->depth} + depth_offset;
     const std::int64_t inverse1 = std::int64_t{v[1]->depth} + depth_offset;
     const std::int64_t inverse2 = std::int64_t{v[2]->depth} + depth_offset;
@@ -55,7 +56,7 @@ class TextureCoordinates {
     };
     const Value q0 = scaled(inverse0), q1 = scaled(inverse1), q2 = scaled(inverse2);
     one_over_w_ = planes.plane(q0, q1 - q0, q2 - q0);
-    // u/w to 29 bits and a sign; below 2^33 * 2^29.
+    // u/w has 29 bits and a sign; the product is below 2^33 * 2^29.
     const std::int64_t u0_by_w = long_product(u0, q0), v0_by_w = long_product(v0, q0);
     const std::int64_t u1_by_w = long_product(u1, q1), v1_by_w = long_product(v1, q1);
     const std::int64_t u2_by_w = long_product(u2, q2), v2_by_w = long_product(v2, q2);
@@ -68,13 +69,13 @@ class TextureCoordinates {
     u_over_w_ = plane(u0_by_w, u1_by_w, u2_by_w);
     v_over_w_ = plane(v0_by_w, v1_by_w, v2_by_w);
   }
-  /// True if the vertices' texture coordinates are near enough to each other for words of 32 bits, and their 1/w has
-  /// less than 60: nothing is shifted by 32 or more then. Only where they `may_be_far` the coordinates are read.
+  /// True if the vertices' texture coordinates are close enough to each other for words of 32 bits, and their 1/w has
+  /// less than 60 bits, so that no shift reaches 32. The coordinates are read only if they `may_be_far`.
   template <class Vertex>
   static bool fits_words(const Vertex* const (&v)[3], std::int64_t depth_offset, bool may_be_far) {
     if (static_cast<std::uint32_t>(depth_offset >> 32) >> 27 != 0) return false;
     if (!may_be_far) return true;
-    // Halves are compared, because differences of whole ones need 33 bits.
+    // Compares halves, because differences of whole values need 33 bits.
     const auto near = [](std::int32_t a, std::int32_t b) {
       return (static_cast<std::uint32_t>((a >> 1) - (b >> 1)) + (std::uint32_t{1} << 29)) >> 30 == 0;
     };
@@ -85,13 +86,13 @@ class TextureCoordinates {
   struct Place {
     std::uint32_t u_over_w, v_over_w, one_over_w;
   };
-  /// Relative to the anchor.
+  /// Returns the place of a pixel relative to the anchor.
   Place place(std::int32_t columns, std::int32_t rows) const {
     Place place{u_over_w_.at(columns, rows), v_over_w_.at(columns, rows), 0};
     if constexpr (!orthographic) place.one_over_w = one_over_w_.at(columns, rows);
     return place;
   }
-  /// Returns place() of a pixel that is so many columns further to the right, exactly: sums are modulo 2^32.
+  /// Returns place() of the pixel `columns` further to the right, exactly: sums are modulo 2^32.
   Place right_of(Place place, std::int32_t columns) const {
     const auto count = static_cast<std::uint32_t>(columns);
     place.u_over_w += u_over_w_.step_x * count;
@@ -100,7 +101,7 @@ class TextureCoordinates {
     return place;
   }
 
-  /// Starts whole runs: the place of their first pixel, and what the assembly needs beside it.
+  /// Starts whole runs: stores the place of their first pixel, and the other values that the assembly needs.
   void start_runs(TexturedRunsState& state, const Place& place, TexelPosition from, std::uint32_t columns) const {
     state.u_over_w = place.u_over_w, state.v_over_w = place.v_over_w, state.one_over_w = place.one_over_w;
     state.u_over_w_step = u_over_w_.step_x * columns, state.v_over_w_step = v_over_w_.step_x * columns;
@@ -110,7 +111,7 @@ class TextureCoordinates {
     state.right_shift = 30 - shift_;
   }
 
-  /// The planes of a triangle's rows.
+  /// Sets the planes for a triangle's rows.
   void start_rows(TexturedScan& scan) const {
     scan.set(TexturedScan::u_over_w, u_over_w_);
     scan.set(TexturedScan::v_over_w, v_over_w_);
@@ -119,12 +120,12 @@ class TextureCoordinates {
     scan.right_shift = 30 - shift_;
   }
 
-  /// Exact position at a covered pixel.
-  // Where many pipelines share a file, GCC would call it: 2 % of CT on the host.
+  /// Returns the exact position at a covered pixel.
+  // GCC does not inline it in a file with many pipelines, which costs 2 % of CT on the host.
   [[gnu::always_inline]] TexelPosition at(const Place& place) const {
     return position(place, base_u_, base_v_, 30 - shift_);
   }
-  /// Returns the position, from a TexturedScan's values.
+  /// Returns the position from the values of a TexturedScan.
   [[gnu::always_inline]] static TexelPosition position(const Place& place, std::int32_t base_u, std::int32_t base_v,
                                                        std::int32_t right_shift) {
     const auto u = static_cast<std::int32_t>(place.u_over_w);
@@ -145,7 +146,7 @@ class TextureCoordinates {
     return at(place(columns, rows));
   }
 
-  /// Returns the position and its footprint: the derivatives of u and v, by the same division.
+  /// Returns the position and its footprint: the derivatives of u and v, from the same division.
   TexelFootprint footprint_at(std::int32_t columns, std::int32_t rows) const {
     const Place there = place(columns, rows);
     const auto step = [&](std::uint32_t Plane::*direction) {
@@ -187,7 +188,7 @@ class TextureCoordinates {
     return static_cast<Value>(value >> shift);
   }
   static std::uint64_t magnitude(std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? -value : value); }
-  /// The longer side of the right angle and half of the shorter one: up to an eighth more than the hypotenuse.
+  /// Returns an estimate of the hypotenuse, up to an eighth too long: the longer leg plus half of the shorter one.
   static std::uint64_t length(std::int64_t a, std::int64_t b) {
     const std::uint64_t x = magnitude(a), y = magnitude(b);
     return std::max(x, y) + std::min(x, y) / 2;
@@ -204,7 +205,8 @@ class TextureCoordinates {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
   }
 
-  Plane u_over_w_, v_over_w_, one_over_w_;  // no zeros first: on a Cortex-M0 three calls for each triangle
+  Plane u_over_w_, v_over_w_, one_over_w_;  // not zero-initialised: that would cost three calls for each triangle on a
+                                            // Cortex-M0
   std::int32_t base_u_ = 0, base_v_ = 0;
   int shift_ = 0;
 };

@@ -1,4 +1,5 @@
-// Texels of fragments with effects: of a level, with or without a palette, nearest or bilinear, as 8 bits a channel.
+// Reads texels for fragments with effects: from any level, with or without a palette, nearest or bilinear, as 8 bits a
+// channel.
 #pragma once
 
 #include <algorithm>
@@ -13,28 +14,28 @@
 
 namespace zstrip::detail {
 
-/// A fragment's colour on its way to the pixel, 0..255 a channel.
+/// A fragment's colour before it is written, 0..255 a channel.
 struct FragmentColour {
   std::uint32_t r, g, b, a;
 };
 
-/// RGB565 to 8 bits a channel, the upper bits repeated below: 31 and 63 become 255.
+/// Converts RGB565 to 8 bits a channel by repeating the upper bits: 31 and 63 become 255.
 constexpr FragmentColour expanded(std::uint16_t pixel) {
   const std::uint32_t r = pixel >> 11, g = (pixel >> 5) & 0x3FU, b = pixel & 0x1FU;
   return {(r << 3) | (r >> 2), (g << 2) | (g >> 4), (b << 3) | (b >> 2), 255};
 }
 
-/// The level of a texture with so many smaller ones, of a run with these footprints at its ends: the logarithm (base 2)
-/// of their mean, rounded to nearest.
+/// Returns the level for a run with these footprints at its ends, in a texture with `smaller_levels`: the logarithm
+/// (base 2) of their mean, rounded to nearest.
 constexpr std::uint32_t level_of_run(std::uint32_t from, std::uint32_t to, std::uint32_t smaller_levels) {
   const std::uint32_t mean = (from + to) / 2;
-  const std::uint32_t times_root_of_two = (mean * 181) >> 15;  // a power of two where the logarithm is half way
+  const std::uint32_t times_root_of_two = (mean * 181) >> 15;  // a power of two where the logarithm is halfway between
+                                                               // integers
   const auto level = static_cast<std::uint32_t>(31 - std::countl_zero(times_root_of_two | 1));
   return std::min(level, smaller_levels);
 }
 
-/// Fetches texels by coordinates in fractions of the texture, 0.32. `palettes`, `levels`: of textures that may have
-/// them.
+/// Fetches texels by coordinates in fractions of the texture, 0.32. `palettes`, `levels`: textures may have them.
 template <bool palettes, bool levels>
 class TextureSampler {
  public:
@@ -49,8 +50,7 @@ class TextureSampler {
     set_size(texture.log2_width, texture.log2_height);
   }
 
-  /// From now on this level of the texture, which has it; 0 is `texture` itself. The same coordinates mean the same
-  /// place in each.
+  /// Selects a level that the texture has; 0 is `texture` itself. A coordinate selects the same place in every level.
   void show(const TextureView& texture, std::uint32_t level) requires levels {
     if (level == level_) return;
     level_ = level;
@@ -68,11 +68,11 @@ class TextureSampler {
   FragmentColour nearest(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
     return texel<alpha>(nearest_index(u, v), has_alpha);
   }
-  /// RGB565.
+  /// Returns the nearest texel in RGB565.
   std::uint16_t nearest_word(std::uint32_t u, std::uint32_t v) const { return word(nearest_index(u, v)); }
 
-  /// The mean of the four texels whose centres lie around the point, by their distance in 1/256; rounded to nearest.
-  /// Sums are below 2^24 + 2^15.
+  /// Returns the mean of the four texels whose centres lie around the point, weighted by distance in 1/256 and rounded
+  /// to nearest. Sums are below 2^24 + 2^15.
   template <bool alpha>
   FragmentColour bilinear(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
     const Between x(u, log2_width_), y(v, log2_height_);
@@ -96,7 +96,7 @@ class TextureSampler {
     to_row_ = log2_height + log2_width == 0 ? 31 : static_cast<std::int32_t>(32 - log2_height - log2_width);
     row_mask_ = ~((std::uint32_t{1} << log2_width) - 1);
     if constexpr (levels) {
-      // In a level that is one texel wide or high, coordinates still go across all of the texture.
+      // In a level that is one texel wide or high, coordinates still range over the whole texture.
       column_mask_ = (std::uint32_t{1} << log2_width) - 1;
       if (log2_height == 0) row_mask_ = 0;
     }
@@ -108,7 +108,7 @@ class TextureSampler {
     return ((v >> to_row_) & row_mask_) + column;
   }
 
-  /// The texel's RGB565.
+  /// Returns the texel in RGB565.
   std::uint16_t word(std::uint32_t index) const {
     if constexpr (palettes) {
       if (storage_.format == TextureFormat::palette8) {
@@ -121,7 +121,7 @@ class TextureSampler {
     return texels_[index];
   }
 
-  /// Two neighbours along an axis that repeats, and the second one's share in 1/256.
+  /// Two adjacent texels along an axis that repeats, and the weight of the second one in 1/256.
   struct Between {
     std::uint32_t first = 0, second = 0, share = 0;
 
@@ -145,9 +145,9 @@ class TextureSampler {
   }
 
   [[no_unique_address]] Storage storage_{};
-  const std::uint16_t* texels_ = nullptr;  ///< of the level, behind the palette
+  const std::uint16_t* texels_ = nullptr;  ///< texels of the level, after the palette
   std::uint32_t log2_width_ = 0, log2_height_ = 0;
-  std::int32_t to_column_ = 0, to_row_ = 0;  ///< right shifts; a row stays multiplied by the width
+  std::int32_t to_column_ = 0, to_row_ = 0;  ///< right shifts; the row remains multiplied by the width
   std::uint32_t row_mask_ = 0;
   [[no_unique_address]] std::conditional_t<palettes, const std::uint16_t*, Absent> palette_{};
   [[no_unique_address]] std::conditional_t<levels, const std::uint16_t*, Absent> first_{};

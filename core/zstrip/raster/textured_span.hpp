@@ -1,4 +1,4 @@
-// Textured spans of the span rasteriser: runs between exact texture positions.
+// Draws textured spans of the span rasteriser, in runs between exact texture positions.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@
 
 namespace zstrip::detail {
 
-/// 2^16 / n, for the last, shorter run of a span.
+/// 2^16 / n, for the shorter last run of a span.
 inline constexpr std::int32_t kInverse[kPerspectiveRun] = {0,    65536, 32768, 21845, 16384, 13107, 10922, 9362,
                                                            8192, 7281,  6553,  5957,  5461,  5041,  4681,  4369};
 
-/// a - b, modulo 2^32.
+/// Returns a - b modulo 2^32.
 constexpr std::int32_t difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-/// The step a pixel of a texture coordinate between two exact ones that are `pixels` apart, 1 .. 15, modulo 2^32.
+/// Returns the step a pixel between two exact texture coordinates that are `pixels` (1 .. 15) apart, modulo 2^32.
 constexpr std::uint32_t step_of_run(std::int32_t from, std::int32_t to, std::uint32_t pixels) {
   return static_cast<std::uint32_t>(long_product(difference(to, from), kInverse[pixels]) >> 16);
 }
 
-/// `light` is read only where texels are lit. `log2_run`: of the pixels between two exact positions, 0 .. 4.
+/// `light` is read only if texels are lit. Exact positions are 2^log2_run pixels apart; log2_run is 0 .. 4.
 template <bool affine, int log2_run, TexelLight lit, bool statistics, class DepthPlane, class Rule>
 void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                    const TextureView& texture, const TextureCoordinates<affine>& coordinates, const ColourPlanes& light,
@@ -54,7 +54,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
     run.b = light.b.at(span.columns, span.rows);
   }
   const bool known = knows_texture(run);
-  // Pixels of the first run that lie to the left of the span.
+  // The number of pixels of the first run that lie to the left of the span.
   std::int32_t before = span.skipped & (kRun - 1);
   std::int32_t left = span.whole_length - span.skipped + before;
   auto* depth_cell = span.depth;
@@ -78,7 +78,8 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
         from = {run.from_u, run.from_v};
       }
     }
-    // A full run ends at the next one's first pixel, the last run at its own last pixel: always inside the triangle.
+    // A full run ends at the first pixel of the next run, the last run at its own last pixel, so that both are inside
+    // the triangle.
     const std::int32_t length = left > kRun ? kRun : left;
     place = coordinates.right_of(place, left > kRun ? kRun : left - 1);
     const TexelPosition to = coordinates.at(place);

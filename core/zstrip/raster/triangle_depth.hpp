@@ -1,4 +1,5 @@
-// A triangle's depth over the picture: one plane, or with the small float one for each octave that it spans.
+// The depth of a triangle over the picture: one plane or, with the small float, one for each octave that the triangle
+// spans.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 namespace zstrip::detail {
 
 /// A run of pixels in one row. `columns`, `rows` are relative to the anchor of the triangle's planes. The triangle may
-/// cover more of the row than the strip holds: what is divided into parts counts from the whole run's ends, so that no
-/// part depends on the strip.
+/// cover more of the row than the strip contains. Subdivisions count from the ends of the whole run, so that they do
+/// not depend on the strip.
 template <class Cell = std::uint16_t>
 struct Span {
   Cell* depth;
@@ -19,10 +20,10 @@ struct Span {
   std::int32_t length;  ///< > 0
   std::int32_t columns, rows;
   std::int32_t skipped;       ///< pixels of the whole run to the left of this one
-  std::int32_t whole_length;  ///< of the run without the strip's sides
+  std::int32_t whole_length;  ///< length of the run before it was cut to the strip
 };
 
-/// Plane of 16.16 codes, or of wide depths, over all of the triangle.
+/// A plane of 16.16 codes, or of wide depths, over the whole triangle.
 template <DepthFormat format>
 class TriangleDepth {
  public:
@@ -34,7 +35,7 @@ class TriangleDepth {
     }
   }
 
-  /// Calls draw(run, plane) for runs that make up the span, from left to right.
+  /// Calls draw(run, plane) for the runs that make up the span, from left to right.
   template <class Cell, class Draw>
   void for_each_run(const Span<Cell>& span, const Draw& draw) const {
     draw(span, plane_);
@@ -45,8 +46,8 @@ class TriangleDepth {
   std::conditional_t<format == DepthFormat::z16, Plane, WidePlane> plane_;
 };
 
-/// Inside an octave the code is affine in near / w, so that a run of one octave is drawn exactly like z16. Which octave
-/// a pixel is in depends on the pixel alone: on a wide plane of near / w, built only for triangles of several octaves.
+/// Inside an octave the code is affine in near / w, so that a run of one octave is drawn exactly like z16. A wide plane
+/// of near / w, which is set up only for triangles of several octaves, gives the octave of a pixel.
 template <>
 class TriangleDepth<DepthFormat::float16> {
  public:
@@ -70,7 +71,7 @@ class TriangleDepth<DepthFormat::float16> {
       draw(span, planes_[first_]);
       return;
     }
-    // 8 of the 64 bits of a step are lost; the step between two pixels that the triangle covers needs 53.
+    // The shift drops 8 of a step's 64 bits; the step between two pixels that the triangle covers needs 53.
     const std::int64_t step = static_cast<std::int64_t>(near_over_w_.step_x << 8) >> 8;
     Span<Cell> run = span;
     for (std::int32_t left = span.length; left > 0; left -= run.length) {
@@ -89,11 +90,11 @@ class TriangleDepth<DepthFormat::float16> {
  private:
   static constexpr std::uint64_t kMask = (std::uint64_t{1} << (32 + kWideBits)) - 1;
 
-  /// Kept to the vertices': a value that rounding puts beyond them has the nearest plane.
+  /// Limited to the octaves of the vertices: a value that rounding puts outside of them uses the nearest plane.
   std::uint32_t octave_of(std::uint64_t near_over_w) const {
     return std::clamp(float16_octave(static_cast<std::uint32_t>(near_over_w >> kWideBits)), first_, last_);
   }
-  /// How many pixels from one of value `start` on are in its octave; at least 1.
+  /// Returns the number of pixels, from one of value `start` on, that are in this octave; at least 1.
   std::int32_t columns_in_octave(std::uint64_t start, std::uint32_t octave, std::int64_t step) const {
     const bool rises = step > 0;
     if (step == 0 || octave == (rises ? last_ : first_)) return INT32_MAX;
