@@ -1,11 +1,11 @@
-// Finds the pipeline for a set of effects, for programs that learn it at run time.
+// Finds the pipeline for a set of effects, for programs that know it only at run time.
 #include "zstrip/effects/exclusions.hpp"
 #include "zstrip/frame/pipeline_rows.hpp"
 
 namespace zstrip {
 namespace {
 
-/// Refuses every frame, for effects that do not go together.
+/// Refuses every frame, for effects that exclude each other.
 template <Error error>
 constexpr Pipeline refusing() {
   return {[](detail::FrameState&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
@@ -22,13 +22,13 @@ constexpr Pipeline refusing() {
 constinit std::span<const detail::PipelineRow> detail::further_rows[2];
 
 Pipeline pipeline_for(Effects effects) {
-  effects = without(effects, effect::shades | effect::unclipped);  // the rows have all shades, and clip
+  effects = without(effects, effect::shades | effect::unclipped);  // the rows support all shades, and clip
   const bool has_method = effects.methods != 0;
   if (has_method && (!methods_agree(effects) || effects.any(effect::depth_formats | effect::depth_ranges))) {
     return refusing<Error::visibility>();
   }
   if (!effects_agree(effects)) return refusing<Error::depth_effects>();
-  // Without perspective, or without textures, all of them draw the same.
+  // Without perspective, or without textures, these effects change no pixel.
   if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {
     effects = without(effects, effect::perspective_runs);
   }

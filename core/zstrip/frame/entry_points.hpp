@@ -1,4 +1,4 @@
-// Where renderers and pipelines enter the stages.
+// The functions through which renderers and pipelines call the stages.
 #pragma once
 
 #include <span>

@@ -9,7 +9,7 @@
 
 namespace zstrip::detail {
 
-/// Only the camera of the request is still to be checked.
+/// Checks only the camera of the request.
 template <Effects effects>
 Status begin_fixed_frame(FrameState& frame, const FrameRequest& request, std::span<std::byte> arena) {
   abandon(frame);
@@ -23,7 +23,7 @@ Status begin_fixed_frame(FrameState& frame, const FrameRequest& request, std::sp
   return begin_checked_frame<effects>(frame, request, request.camera, arena);
 }
 
-/// `pixels` has room for a strip of the plan, which has `strips`.
+/// `pixels` has room for a strip of the plan, which has `strips` strips.
 template <Effects effects, PixelFormat format>
 Status draw_fixed_strip(FrameState& frame, std::uint16_t strip, std::uint16_t strips, std::byte* pixels) {
   if (frame.scene == nullptr) return {.error = Error::not_begun};

@@ -1,5 +1,5 @@
-// The stages in their order: begin_frame prepares, draw_strip draws and resolves. Effects take part by the hooks of
-// their stages (effects/stage.hpp); none is named here.
+// Runs the stages in order: begin_frame prepares, draw_strip draws and resolves. Effects take part through the hooks of
+// their stages (effects/stage.hpp); this file names none.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ Status check_frame(const FrameRequest& request, std::span<std::byte> arena) {
   return Stages::until_error<effects>([&](auto stage) { return stage.template check<effects>(request); });
 }
 
-/// `scene`: what is drawn, with the arena laid out. `counts`: of it.
+/// `scene`: the scene to draw; its arena is laid out. `counts`: the counts of `scene`.
 template <Effects effects>
 Status prepare_frame(FrameState& frame, const Scene& scene, const SceneCounts& counts, const FrameRequest& request,
                      std::span<std::byte> arena) {
@@ -77,7 +77,7 @@ Status begin_checked_frame(FrameState& frame, const FrameRequest& request, [[may
       return status;
     }
     const Status status = prepare_frame<effects>(frame, drawn, count(drawn), request, arena);
-    // `drawn` ends here.
+    // `drawn` is about to end, so the frame must not refer to it.
     const bool has_begun = frame.scene != nullptr;
     frame.scene = has_begun ? &request.scene : nullptr;
     if (has_begun) {
@@ -102,7 +102,7 @@ Status begin_whole_frame(FrameState& frame, const Scene& scene, const Camera& ca
   return begin_checked_frame<effects>(frame, request, camera, arena);
 }
 
-/// `pixels` has room for the strip; `convert`: from RGB565 to the format of the view, as convert_pixels.
+/// `pixels` has room for the strip. `convert` converts from RGB565 to the format of the view, as convert_pixels does.
 template <Effects effects, class Convert>
 Status draw_checked_strip(FrameState& frame, std::uint16_t strip, std::byte* pixels, const Convert& convert) {
   Rect area = frame.plan.strip_area(strip, frame.view);
@@ -132,7 +132,7 @@ Status draw_checked_strip(FrameState& frame, std::uint16_t strip, std::byte* pix
 template <Effects effects>
 Status draw_whole_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
   if (const Status status = check_strip<effects>(frame, strip, pixels); !status) return status;
-  // A function itself would be called through a pointer, of which stack bounds are not known.
+  // The lambda avoids a call through a function pointer, whose stack bound would be unknown.
   return draw_checked_strip<effects>(
       frame, strip, pixels.data(),
       [](PixelFormat format, std::uint16_t width, std::uint16_t rows, std::uint16_t* drawn, std::byte* out) {

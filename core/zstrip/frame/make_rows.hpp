@@ -1,4 +1,4 @@
-// Makes rows of the table of pipelines: here the stages of each are compiled.
+// Makes rows of the table of pipelines. The stages of each pipeline are compiled here.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ constexpr auto pipeline_rows() {
   return std::array{pipeline_row<effects>()...};
 }
 
-/// All that a row can have beside what must be equal.
+/// All effects that a row can have in addition to those that must be equal.
 inline constexpr Effects kEverything =
     without(effect::of_scenes, effect::orthographic) | effect::statistics | effect::bins;
 

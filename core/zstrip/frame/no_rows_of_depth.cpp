@@ -1,4 +1,4 @@
-// In place of the pipelines of other depth formats: none. What only these draw is refused.
+// An empty table in place of the pipelines of other depth formats: sets that need these are refused.
 #include "zstrip/frame/pipeline_rows.hpp"
 
 namespace zstrip::detail {

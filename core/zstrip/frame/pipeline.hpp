@@ -1,4 +1,4 @@
-// One pipeline per effect set: the entry points that the renderer needs.
+// One pipeline for each set of effects: the entry points that the renderer needs.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace zstrip {
 
-/// A pipeline with effect::depth_ranges takes a RangedFrameState only, one with a method a MethodFrameState.
+/// A pipeline with effect::depth_ranges accepts only a RangedFrameState, one with a method only a MethodFrameState.
 struct Pipeline {
   Status (*begin_frame)(detail::FrameState&, const Scene&, const Camera&, const View&, const Plan&,
                         std::span<std::byte> arena);
@@ -17,12 +17,12 @@ struct Pipeline {
                       std::span<std::uint16_t> depth);
 };
 
-/// A pipeline that draws the same as one with exactly `effects`: it may have more of them, but no other depth format,
-/// projection and method. One of effect::perspective_runs is left out where nothing is textured or the projection is
-/// orthographic. Effects that do not agree, or are unknown, get one that refuses every frame with Error::depth_effects;
-/// so does one of effect::perspective_runs beside a depth format or sub-ranges. Methods that do not agree, and culling
-/// with another depth format or sub-ranges, which is left to Renderer, get Error::visibility. Links all pipelines: for
-/// hosts (library zstrip::core_any).
+/// Returns a pipeline that draws the same pixels as one with exactly `effects`. It may have more effects, but has the
+/// same depth format, projection and method. One of effect::perspective_runs is ignored without textures or with an
+/// orthographic projection. Effects that exclude each other, or are unknown, get a pipeline that refuses every frame
+/// with Error::depth_effects; so does one of effect::perspective_runs together with a depth format or sub-ranges.
+/// Methods that exclude each other, and culling with another depth format or sub-ranges, which only Renderer supports,
+/// get Error::visibility. Links all pipelines: for hosts (library zstrip::core_any).
 Pipeline pipeline_for(Effects effects);
 
 }  // namespace zstrip

@@ -1,5 +1,5 @@
-// The table of pipelines for programs that learn the effects at run time: which effects each has, and which one draws a
-// set. There is no end of sets, so that rows are supersets.
+// The table of pipelines for programs that know the effects only at run time: the effects of each pipeline, and the
+// search for the one that draws a set. There are too many sets for a pipeline each, so that rows are supersets.
 #pragma once
 
 #include <span>
@@ -14,11 +14,11 @@ struct PipelineRow {
   Pipeline pipeline;
 };
 
-/// Methods are equal but for culling, which a row may have beside one.
+/// Methods must be equal, except that a row may have culling in addition.
 constexpr Effects own_method(Effects effects) { return without(Effects{0, effects.methods}, methods::kBesideOthers); }
 
-/// True if a pipeline of these effects draws as one with exactly `wanted` does: it has all of them, and the way to
-/// keep depth, the projection, the accuracy of textures, and the method are the same.
+/// True if a pipeline with `effects` draws the same pixels as one with exactly `wanted`: it has all of them, and depth
+/// format, projection, accuracy of textures, and method are equal.
 constexpr bool draws(Effects effects, Effects wanted) {
   constexpr Effects kEqual =
       effect::orthographic | effect::depth_formats | effect::depth_ranges | effect::perspective_runs;
@@ -26,12 +26,12 @@ constexpr bool draws(Effects effects, Effects wanted) {
          (effects.methods == 0) == (wanted.methods == 0);
 }
 
-// The rows, those that draw fastest first. Each list is a source of its own, so that they compile side by side. Static
+// The rows, the fastest first. Each list is a source file, so that they compile in parallel. The lists have static
 // storage.
-std::span<const PipelineRow> rows_of_triangles();  ///< scenes without further effects, each way to shade for itself
+std::span<const PipelineRow> rows_of_triangles();  ///< scenes without other effects; each way to shade has its own row
 std::span<const PipelineRow> rows_of_effects();    ///< any effects
-std::span<const PipelineRow> rows_of_depth();      ///< any effects with another format or mapping of depth
-/// Two lists of a library that the program links and has called: zstrip::methods. Else empty.
+std::span<const PipelineRow> rows_of_depth();      ///< any effects, with another format or mapping of depth
+/// Two lists of the library zstrip::methods; empty until a program has linked and called it.
 extern constinit std::span<const PipelineRow> further_rows[2];
 
 }  // namespace zstrip::detail

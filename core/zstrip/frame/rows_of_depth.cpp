@@ -1,10 +1,10 @@
-// Pipelines with another format, range or mapping of depth, or texture coordinates of another accuracy.
+// Pipelines with another format, range or mapping of depth, or with another accuracy of texture coordinates.
 #include "zstrip/frame/make_rows.hpp"
 
 namespace zstrip::detail {
 namespace {
 
-/// Edges compare codes of z16, shadows need what a code stands for.
+/// Edges compare codes of z16; shadows need the distance that a code stands for.
 constexpr Effects kWithoutEdges = without(kEverything, effect::edges);
 constexpr Effects kWithoutShadows = without(kWithoutEdges, effect::shadows);
 

@@ -1,4 +1,4 @@
-// Keeps, marks and restores tiles; see static_layer.hpp.
+// Keeps, marks and restores tiles; see layer.hpp.
 #include "zstrip/layer.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ Status StaticLayer::keep(Frame frame, std::uint16_t strip, std::span<const std::
     for (std::int32_t left = area.left; left < area.right; left += kSide) {
       const auto tx = static_cast<std::uint32_t>(left) / kTileSide;
       const auto ty = static_cast<std::uint32_t>(top) / kTileSide;
-      // The frame has depth only where its scene can be; elsewhere it is cleared.
+      // The frame has depth only inside its bounds; elsewhere it is cleared.
       std::uint16_t depth[kTileCells] = {};
       const Rect part = Rect{left, top, left + kSide, top + kSide}.cut_to(covered);
       for (std::int32_t y = part.top; y < part.bottom; ++y) {
@@ -86,7 +86,7 @@ void StaticLayer::invalidate() {
 
 bool StaticLayer::next(Rect& area, std::uint32_t cells) {
   if (pending_.empty() && !dirty_.take(pending_)) return false;
-  // As many columns as fit in one row of tiles, then as many rows of tiles.
+  // The rectangle has as many columns as fit in one row of tiles, and then as many rows of tiles as fit.
   constexpr auto kSide = static_cast<std::int32_t>(kTileSide);
   cells = std::min(cells, std::uint32_t{kMaxViewSize} * kMaxViewSize);
   const auto fitting = static_cast<std::int32_t>(cells / kTileSide) / kSide * kSide;
@@ -94,7 +94,7 @@ bool StaticLayer::next(Rect& area, std::uint32_t cells) {
   if (area.width() > fitting) {
     area.right = area.left + std::max(fitting, kSide);
     area.bottom = std::min(area.top + kSide, area.bottom);
-    // The rest of this row of tiles comes next; the rows below are marked again.
+    // The rest of this row of tiles is returned next; the rows below are marked again.
     dirty_.mark({pending_.left, area.bottom, pending_.right, pending_.bottom});
     pending_ = {area.right, area.top, pending_.right, area.bottom};
     return true;

@@ -1,4 +1,4 @@
-// The lists of triangles that wait for their strips. All of it lies in the caller's memory; every write is checked.
+// The lists of triangles that wait for their strips. They lie in the caller's memory; every write is checked.
 #pragma once
 
 #include <cstddef>
@@ -9,35 +9,36 @@
 
 namespace zstrip::detail {
 
-/// A meshlet whose vertices stay transformed for the whole frame.
+/// A meshlet whose transformed vertices are kept for the whole frame.
 struct RetainedBatch {
   std::uint16_t instance;           ///< index into Scene::instances
   std::uint16_t meshlet;            ///< index into Mesh::meshlets
   std::uint32_t first_vertex : 31;  ///< index of the transformed vertices
-  std::uint32_t all_narrow : 1;     ///< none of them needs the clipping path
+  std::uint32_t all_narrow : 1;     ///< no vertex needs the clipping path
 };
 static_assert(sizeof(RetainedBatch) == kBatchBytes);
 
-/// Plans keep each number within its bits.
+/// Makes a batch; plans keep each number within its bits.
 constexpr RetainedBatch retained_batch(std::uint32_t instance, std::uint32_t meshlet, std::uint32_t first_vertex,
                                        bool all_narrow) {
   return {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), first_vertex & 0x7FFFFFFFU,
           all_narrow};
 }
 
-/// A list is a chain of chunks of 16-bit entries: kBatchEntry + n, "the triangles of batch n follow", or the index of a
-/// triangle in its meshlet.
+/// A list is a chain of chunks of 16-bit entries. An entry kBatchEntry + n means "triangles of batch n follow"; any
+/// other entry is the index of a triangle in its meshlet.
 inline constexpr std::uint16_t kBatchEntry = 0x8000;
 constexpr bool is_batch_entry(std::uint16_t entry) { return (entry & kBatchEntry) != 0; }
 
-/// A chunk is so many slots: the number of the chunk after it, then its entries.
+/// Slots of a chunk: the number of the next chunk, then the entries.
 inline constexpr std::uint32_t kBinChunkSlots = kBinChunkEntries + 1;
 static_assert(kBinChunkSlots * sizeof(std::uint16_t) == kBinChunkBytes);
 
 struct BinList {
-  std::uint32_t next;   ///< slot of the next entry; the first slot behind a chunk: it is full, or there is none
-  std::uint16_t batch;  ///< of the triangle added last
-  std::uint16_t first;  ///< chunk
+  std::uint32_t next;   ///< slot of the next entry. A slot directly after a chunk means that the chunk is full or that
+                        ///< there is none.
+  std::uint16_t batch;  ///< batch of the triangle that was added last
+  std::uint16_t first;  ///< number of the first chunk
 };
 static_assert(sizeof(BinList) == kBinBytes);
 
@@ -50,12 +51,13 @@ class Bins {
     slots_ = reinterpret_cast<std::uint16_t*>(memory + strips * kBinBytes);
     const std::uint32_t chunks = (bytes - strips * kBinBytes) / kBinChunkBytes;
     capacity_ = static_cast<std::uint16_t>(chunks < kMaxBinChunks ? chunks : kMaxBinChunks);
-    newest_batch_ = kNone;  // not a member's initialiser: a renderer that is not all zeros lies in flash, arena and all
+    newest_batch_ = kNone;  // assigned here: a member initialiser would put the whole renderer with its arena into
+                            // flash
     for (std::uint32_t strip = 0; strip < strips; ++strip) lists_[strip] = {0, kNone, kNone};
     if (capacity_ != 0) __builtin_memset(slots_ + (capacity_ - 1) * kBinChunkSlots, 0, kBinChunkBytes);
   }
 
-  /// False if the memory is full.
+  /// Returns false if the memory is full.
   bool add(std::uint32_t strip, std::uint16_t batch, std::uint16_t triangle) {
     BinList& list = lists_[strip];
     const std::uint32_t next = list.next;
@@ -65,7 +67,7 @@ class Bins {
     return true;
   }
 
-  /// The part of `add` for a list that has no room yet for a triangle of this batch.
+  /// Adds to a list that has no room for a triangle of this batch, or no entry for the batch.
   [[gnu::noinline]] bool append(BinList& list, std::uint16_t batch, std::uint16_t triangle) {
     if (list.batch != batch) {
       if (!put(list, static_cast<std::uint16_t>(kBatchEntry | batch))) return false;
@@ -77,12 +79,12 @@ class Bins {
   /// True if some list has a triangle of this batch, and no list has one of a later batch.
   bool has_newest(std::uint16_t batch) const { return newest_batch_ == batch; }
 
-  /// Memory that no list needs, in whole chunks. The last one begins the frame as zeros.
+  /// Returns the memory that no list uses, in whole chunks. The last chunk is all zeros when the frame begins.
   std::span<std::uint16_t> spare() const {
     return {slots_ + used_ * kBinChunkSlots, (capacity_ - std::size_t{used_}) * kBinChunkSlots};
   }
 
-  /// Returns the same lists, with no memory to spare.
+  /// Returns the lists without spare memory.
   Bins without_spare() const {
     Bins lists = *this;
     lists.capacity_ = used_;
@@ -128,7 +130,7 @@ class BinReader {
   }
   const Bins& bins() const { return bins_; }
 
-  /// Goes to the next batch. False at the end of the list.
+  /// Goes to the next batch. Returns false at the end of the list.
   bool next_batch() {
     const std::span<const std::uint16_t> entries = rest();
     if (entries.empty()) return false;
@@ -138,7 +140,8 @@ class BinReader {
   }
   std::uint16_t batch() const { return batch_; }
 
-  /// The next entries, those of a chunk; none at the end of the list. A list's chunks have rising numbers.
+  /// Returns the next entries of the current chunk; empty at the end of the list. The chunks of a list have ascending
+  /// numbers.
   std::span<const std::uint16_t> rest() {
     if (at_ == end_) return {};
     if (at_ % kBinChunkSlots == 0) at_ = slots_[at_ - kBinChunkSlots] * kBinChunkSlots + 1;
@@ -147,7 +150,7 @@ class BinReader {
   }
   void take(std::size_t entries) { at_ += static_cast<std::uint32_t>(entries); }
 
-  /// The next triangles of this batch, and goes behind them; none at its end.
+  /// Returns the next triangles of this batch and skips them; empty at the end of the batch.
   std::span<const std::uint16_t> next_run() {
     const std::span<const std::uint16_t> entries = rest();
     std::size_t count = 0;
@@ -163,7 +166,7 @@ class BinReader {
   std::uint16_t batch_ = 0;
 };
 
-/// Indices of a batch, at most as many as a chunk has, read as a list.
+/// Reads indices of a batch, at most as many as a chunk has, as a list.
 class ListedTriangles {
  public:
   explicit ListedTriangles(std::span<const std::uint16_t> listed) : rest_(listed) {}

@@ -14,12 +14,12 @@ using Varying = std::int32_t ClipVertex::*;
 constexpr Place kPlaces[] = {&ClipVertex::x, &ClipVertex::y, &ClipVertex::w};
 constexpr Varying kVaryings[] = {&ClipVertex::r, &ClipVertex::g, &ClipVertex::b, &ClipVertex::u, &ClipVertex::v};
 
-/// A plane of the clip volume. The planes of the guard band leave out as many fraction bits as they must for the
-/// distance to be below 2^58.
+/// A plane of the clip volume. A guard band's plane ignores as many fraction bits as necessary to keep the distance
+/// below 2^58.
 struct Plane {
   Place along;
   std::int64_t scale, w, d;  ///< signed distance scale * along + w * w + d, >= 0 inside
-  int bits;                  ///< fraction bits of the vertex that do not count
+  int bits;                  ///< fraction bits of the vertex that are ignored
 
   [[gnu::noinline]] std::int64_t at(const ClipVertex& v) const {
     return scale * (v.*along >> bits) + w * (v.w >> bits) + d;
@@ -29,12 +29,12 @@ struct Plane {
 // Linear forms are below 2^30; a difference of two must be below 2^47 for Fraction::of.
 static_assert(30 + kClipBits + 1 <= 47);
 
-/// A fraction 0..1 with 62 bits: the crossing of an edge that runs from far before to far behind the camera has a
-/// small w, which needs them.
+/// A fraction 0..1 with 62 bits. An edge from far before to far behind the camera crosses a plane where w is small,
+/// which needs all of them.
 struct Fraction {
   std::uint32_t high, low;  // (high + low / 2^31) / 2^31
 
-  /// numerator / denominator, 0 <= numerator <= denominator > 0.
+  /// Computes numerator / denominator, 0 <= numerator <= denominator > 0.
   Fraction(std::uint64_t numerator, std::uint64_t denominator) {
     const int surplus = 32 - std::countl_zero(denominator);
     if (surplus > 0) numerator >>= surplus, denominator >>= surplus;
@@ -43,7 +43,7 @@ struct Fraction {
     high = first.quotient;
     low = divide_long(std::uint64_t{first.rest} << 31, divisor).quotient;
   }
-  /// value * fraction for |value| < 2^47.
+  /// Returns value * fraction for |value| < 2^47.
   [[gnu::noinline]] std::int64_t of(std::int64_t value) const {
     return scaled(value, high) + (scaled(value, low) >> 31);
   }
@@ -54,7 +54,8 @@ struct Fraction {
   }
 };
 
-/// The point where the edge crosses the plane. Always computed from the inner vertex, so that both neighbours agree.
+/// Returns the point where the edge crosses the plane. It is computed from the inner vertex, so that both neighbours
+/// get the same point.
 ClipVertex crossing(const ClipVertex& inner, const ClipVertex& outer, std::int64_t inside, std::int64_t outside) {
   // inside >= 0 > outside
   const Fraction fraction(static_cast<std::uint64_t>(inside),
@@ -70,10 +71,11 @@ ClipVertex crossing(const ClipVertex& inner, const ClipVertex& outer, std::int64
   return made;
 }
 
-/// In place, so that the stack holds one polygon: it is moved to the end of its memory and read from there, with its
-/// first vertex once more after its last, while what is kept is written from the beginning on. A cut convex polygon
-/// grows by one vertex at most; where rounding has made it concave it may grow by more. There is room for that: an
-/// edge leaves two vertices at most, kMaxPolygon in all, and they end before what is still to be read.
+/// Clips in place, so that the stack holds one polygon. The polygon is moved to the end of its memory, with its first
+/// vertex repeated after the last one, and read from there, while the result is written from the beginning. A cut
+/// convex polygon grows by one vertex at most; a polygon that rounding made concave may grow by more. The memory is
+/// large enough: an edge produces two vertices at most, the result has kMaxPolygon at most, and the result ends before
+/// the vertices that are still to be read.
 void clip_against(ClipPolygon& polygon, const Plane& plane) {
   if (polygon.count == 0) return;
   ClipVertex* const end = std::end(polygon.vertices) - 1;
@@ -92,19 +94,19 @@ void clip_against(ClipPolygon& polygon, const Plane& plane) {
   }
 }
 
-/// Against two planes that face each other, `plane` and the one of -scale and `far`.
+/// Clips against two opposite planes, `plane` and the one with -scale and `far`.
 void clip_between(ClipPolygon& polygon, Plane plane, std::int64_t far) {
   clip_against(polygon, plane);
   plane.scale = -plane.scale, plane.d = far;
   clip_against(polygon, plane);
 }
 
-/// Near and far first: behind them the guard band's planes are meaningless.
+/// Clips against near and far first: the guard band's planes have no meaning behind these.
 void clip_depth(ClipPolygon& polygon, const CompiledInstance& instance) {
   const std::int64_t near = std::int64_t{instance.w_near} << kClipBits;
   const std::int64_t far = near + (std::int64_t{instance.w_range} << kClipBits);
   clip_between(polygon, {&ClipVertex::w, 1, 0, -near, 0}, far);
-  // The crossing rounds: put the new vertices exactly into the range.
+  // Crossings are rounded: moves the new vertices exactly into the range.
   for (int i = 0; i < polygon.count; ++i) {
     std::int64_t& w = polygon.vertices[i].w;
     w = std::clamp(w, near, far);
@@ -141,7 +143,7 @@ void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance) {
 
 template <bool orthographic>
 WidePosition project_wide(const CompiledInstance& instance, const RasterOrigin& origin, const ClipVertex& vertex) {
-  // w normalised from all of its bits; the leading zeros are counted as for w without the extra fraction.
+  // Normalises w with all of its bits; leading zeros are counted as for w without the extra fraction.
   const auto w = static_cast<std::uint64_t>(vertex.w);
   const int zeros = std::countl_zero(w);
   const int normalisation = zeros - (32 - kClipBits);

@@ -7,40 +7,42 @@
 
 namespace zstrip::detail {
 
-/// A clipped edge ends where w is small: its coordinates carry 16 more fraction bits than the linear forms.
+/// Extra fraction bits of clipped coordinates: a clipped edge ends where w is small, so that the bits of the linear
+/// forms are not enough.
 inline constexpr int kClipBits = 16;
 
-/// A vertex before projection, with everything that varies over a triangle.
+/// A vertex before projection, with all values that vary over a triangle.
 struct ClipVertex {
   std::int64_t x, y, w;  ///< the instance's linear forms, times 2^kClipBits; below 2^46
   std::int32_t r, g, b;  ///< 8.16
   std::int32_t u, v;     ///< texels, 16.16
 };
 
-/// Three corners and one more for each of the six planes.
+/// Three corners and one vertex for each of the six planes.
 inline constexpr int kMaxPolygon = 9;
 
-/// The vertices, and room in which clipping moves them aside, the first one once more behind the last. Of nine, the
-/// i-th is read at 4 + i; before, 2 i at most are written, none from kMaxPolygon on.
+/// The vertices, and room in which clipping moves them to the end, with the first one repeated after the last. Of nine
+/// vertices, the i-th is read at 4 + i; before that, at most 2 i are written, and none from kMaxPolygon on.
 struct ClipPolygon {
   ClipVertex vertices[kMaxPolygon + 5];
   int count;  ///< at most kMaxPolygon
 };
 
-/// Clips `polygon` (on entry a triangle) in place; count 0 if nothing is left. Two polygons that share an edge get the
-/// same new vertex on it, whatever its direction. A segment is clipped as a polygon of two vertices: its ends are then
-/// the first two, in their order; what follows repeats them.
+/// Clips `polygon` (initially a triangle) in place; count 0 if nothing is left. Two polygons that share an edge get the
+/// same new vertex on it, whatever the edge's direction. A segment is clipped as a polygon of two vertices: the first
+/// two vertices of the result are its ends, in their order; the others repeat them.
 void clip_perspective(ClipPolygon& polygon, const CompiledInstance& instance);
 void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance);
 
-/// 1 / w, from all bits of w; the leading zeros are counted as for w without the extra fraction.
+/// Returns 1 / w from all bits of w; leading zeros are counted as for w without the extra fraction.
 constexpr Reciprocal reciprocal_of_wide(std::int64_t w) {
   const auto bits = static_cast<std::uint64_t>(w);
   const int zeros = std::countl_zero(bits);
   return {reciprocal(static_cast<std::uint32_t>((bits << zeros) >> 32)), zeros - (32 - kClipBits)};
 }
 
-/// x, y and depth of a vertex inside the clip volume; the same bits as project_narrow for a vertex that both accept.
+/// x, y and depth of a vertex inside the clip volume. They have the same bits as from project_narrow for a vertex that
+/// both accept.
 struct WidePosition {
   std::int32_t x, y;
   std::uint32_t depth;
@@ -48,7 +50,7 @@ struct WidePosition {
 template <bool orthographic>
 WidePosition project_wide(const CompiledInstance& instance, const RasterOrigin& origin, const ClipVertex& vertex);
 
-/// Its depth in a format other than z16.
+/// Returns the depth in a format other than z16.
 template <bool orthographic, DepthFormat format>
 std::uint32_t project_wide_depth(const CompiledInstance& instance, const RasterOrigin& origin,
                                  const ClipVertex& vertex) {

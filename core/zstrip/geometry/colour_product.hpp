@@ -1,4 +1,4 @@
-// A light's colour times a material's.
+// Multiplies a light's colour by a material's.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace zstrip::detail {
 
-/// Channel by channel, 255 being one, rounded to nearest; opaque.
+/// Multiplies channel by channel, with 255 as one, rounded to nearest; the result is opaque.
 constexpr Colour product(const Colour& a, const Colour& b) {
   const auto channel = [](std::uint8_t p, std::uint8_t q) { return static_cast<std::uint8_t>((p * q + 127) / 255); };
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), 255};

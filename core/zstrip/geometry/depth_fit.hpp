@@ -1,5 +1,5 @@
-// The depth range of a frame: where the scene really lies between near and far, and the constants that turn a
-// distance into a 16-bit code. Greater codes are nearer.
+// The depth range of a frame: the distances that the scene really has between near and far, and the constants that
+// convert a distance to a 16-bit code. Greater codes are nearer.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ inline constexpr int kDistanceBits = 38;
 
 constexpr Distance distance_of(Fixed length) { return Distance{length} << (kDistanceBits - kFixedBits); }
 
-/// Rounded down; the largest length where it does not fit.
+/// Rounds down; returns the largest length if the distance does not fit.
 constexpr Fixed length_of(Distance distance) {
   const Distance length = distance >> (kDistanceBits - kFixedBits);
   return length > INT32_MAX ? INT32_MAX : static_cast<Fixed>(length);
@@ -33,13 +33,14 @@ struct DepthFit {
   std::int64_t offset;            ///< 16.16 codes
 };
 
-/// Fits to distances near..far (0 < near <= far); widens a range that is too thin to hold 65533 codes.
+/// Returns a fit to the distances near..far (0 < near <= far). A range that is too thin for 65533 codes is widened.
 constexpr DepthFit fit_depth(Distance near, Distance far) {
-  // A little wider than the bounds: transforms round, and a vertex outside the range would be clipped.
+  // Slightly wider than the bounds: transforms round, and a vertex outside the range would be clipped.
   near -= near >> 20;
   far += far >> 20;
   if (far - near < (near >> 8) + 1) far = near + (near >> 8) + 1;
-  // offset = span * near / (far - near) + far's code. Both operands to 40 bits: the quotient keeps 23 fraction bits.
+  // offset = span * near / (far - near) + far's code. Both operands are shifted to 40 bits, so that the quotient keeps
+  // 23 fraction bits.
   std::int64_t numerator = near;
   std::int64_t denominator = far - near;
   while (numerator >= std::int64_t{1} << 40) numerator >>= 1, denominator >>= 1;
@@ -50,8 +51,8 @@ constexpr DepthFit fit_depth(Distance near, Distance far) {
   return {near, far, quotient_at_far + kDepthSpan, quotient_at_far - kDepthOfFar};
 }
 
-/// Snaps a depth to the fractions 1/8, 3/8, 5/8, 7/8 of a code. Interpolation errs by less than 1/8 code, so that no
-/// pixel's code ever leaves the range of its triangle's vertices.
+/// Snaps a depth to 1/8, 3/8, 5/8 or 7/8 of a code. The error of interpolation is below 1/8 code, so that the codes of
+/// pixels never leave the range of the triangle's vertices.
 constexpr std::uint32_t snap_depth(std::uint32_t depth) { return (depth & ~0x3FFFU) | 0x2000U; }
 
 }  // namespace zstrip

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kAllCodes = std::int64_t{1} << 32;
 
-/// near / (far - near) with 39 fraction bits, at most 257: a range is never thinner than near / 256.
+/// Returns near / (far - near) with 39 fraction bits, at most 257: a range is never thinner than near / 256.
 std::int64_t near_over_range(const DepthFit& fit) {
   std::int64_t near = fit.near;
   std::int64_t range = fit.far - fit.near;
@@ -18,7 +18,7 @@ std::int64_t near_over_range(const DepthFit& fit) {
   return long_quotient(near, range, 39);
 }
 
-/// depth runs from `far` to `far` + all codes - `unused`.
+/// Returns the mapping in which depth runs from `far` to `far` + all codes - `unused`.
 DepthMapping linear_in_1_over_w(const DepthFit& fit, std::int64_t far, std::int64_t unused) {
   const std::int64_t ratio = near_over_range(fit);
   const std::int64_t span = kAllCodes - unused;
@@ -26,7 +26,7 @@ DepthMapping linear_in_1_over_w(const DepthFit& fit, std::int64_t far, std::int6
   return {quotient_at_far + span, quotient_at_far - far, span, far};
 }
 
-/// depth_scale * 2^depth_shift times numerator / divisor.
+/// Sets depth_scale * 2^depth_shift to its product with numerator / divisor.
 void scale_depth(CompiledInstance& instance, std::int64_t numerator, std::int64_t divisor) {
   const auto factor = static_cast<std::uint64_t>(long_quotient(numerator, divisor, 31));  // 1.31
   const std::uint64_t product = instance.depth_scale * factor;
@@ -49,7 +49,7 @@ void scale_depth(CompiledInstance& instance, std::int64_t numerator, std::int64_
 
 DepthMapping depth_mapping(DepthFormat format, const DepthFit& fit) {
   if (format == DepthFormat::z24) return linear_in_1_over_w(fit, 3 << 7, 3 << 8);  // 24.8: from 1.5 to 2^24 - 1.5
-  // near / w; near itself half a code below the largest, so that no rounding wraps.
+  // near / w. Near itself gets half a code less than the largest value, so that no rounding wraps.
   const std::int64_t near = kAllCodes - (std::int64_t{3} << 17);
   return {near, 0, near, 0};
 }

@@ -1,4 +1,4 @@
-// From a depth back to the distance along the viewing direction that it stands for: what fog depends on.
+// Converts a depth back to the distance along the viewing direction, on which fog depends.
 #pragma once
 
 #include <bit>
@@ -11,36 +11,37 @@
 namespace zstrip::detail {
 
 /// The frame's constants. Perspective: distance = scale 2^exponent / q, where q = k / w is a depth plus
-/// DepthFit::offset. Orthographic: distance = far - ((depth - that of far) scale >> 32).
+/// DepthFit::offset. Orthographic: distance = far - ((depth - far's depth) scale >> 32).
 struct DistanceScale {
   std::uint64_t scale;
   std::int32_t exponent;
   Fixed far;  ///< 16.16
 };
 
-/// Depth between near and far in 1/2^32 of all codes, for orthographic cameras; see depth_mapping.
+/// Returns the depth between near and far in 1/2^32 of all codes, for orthographic cameras; see depth_mapping.
 constexpr std::int64_t depth_span(Effects effects) {
   if (effects.has(effect::depth_ranges)) return std::int64_t{(1 << 14) - 3} << 16;
   return effects.has(effect::depth_24) ? (std::int64_t{1} << 32) - (3 << 8) : kDepthSpan;
 }
 
-/// `fit` as the frame has it when triangles are drawn.
+/// `fit` is the frame's fit while triangles are drawn.
 constexpr DistanceScale distance_scale(const DepthFit& fit, bool orthographic, std::int64_t span) {
   if (orthographic) {
     const auto range = static_cast<std::uint64_t>(length_of(fit.far)) - static_cast<std::uint64_t>(length_of(fit.near));
     return {(range << 32) / static_cast<std::uint64_t>(span), 0, length_of(fit.far)};
   }
-  // near times the quotient at near, of 26.38 times 1/2^32 codes, with 32 bits.
+  // The product of near (26.38) and quotient_at_near (1/2^32 codes), with 32 bits.
   const auto near = static_cast<std::uint64_t>(fit.near), quotient = static_cast<std::uint64_t>(fit.quotient_at_near);
   const int near_zeros = std::countl_zero(near), quotient_zeros = std::countl_zero(quotient);
   const auto mantissa = multiply_high(static_cast<std::uint32_t>((near << near_zeros) >> 32),
                                       static_cast<std::uint32_t>((quotient << quotient_zeros) >> 32));
-  // 32 and 32 bits off the factors, 32 off their product and 32 off that with the reciprocal (2^-62); 38 to 16 bits.
+  // Each factor was shifted by 32 and their product by 32; the product with the reciprocal (2^-62) will be shifted by
+  // 32; 38 fraction bits become 16.
   return {mantissa, 44 - near_zeros - quotient_zeros, 0};
 }
 
-/// The distance that a single depth stands for, 16.16. `depth_offset`: as the frame's mapping has it, DepthFit::offset
-/// with perspective, else the depth of `far`.
+/// Returns the distance of a depth, 16.16. `depth_offset` comes from the frame's mapping: DepthFit::offset with
+/// perspective, else the depth of `far`.
 template <bool orthographic>
 constexpr Fixed distance_at(const DistanceScale& scale, std::uint32_t depth, std::int64_t depth_offset) {
   if constexpr (orthographic) {

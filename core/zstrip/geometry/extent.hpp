@@ -1,4 +1,4 @@
-// Which strips a meshlet touches, so that the others need not visit it.
+// The strips that each meshlet touches, so that the other strips need not visit it.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace zstrip::detail {
 
-/// Strips side by side and one below the other, in groups of 2^shift where there are more than 256 of them. Inclusive;
-/// first_row > last_row: nothing of it can be seen.
+/// Strips side by side and one below the other, in groups of 2^shift if there are more than 256. Inclusive; first_row >
+/// last_row: the meshlet is invisible.
 struct Extent {
   std::uint8_t first_row, last_row, first_column, last_column;
 
@@ -19,11 +19,11 @@ struct Extent {
 };
 static_assert(sizeof(Extent) == kExtentBytes);
 
-/// The picture's division into strips: from raster pixels to strips without a division.
+/// The picture's division into strips. Converts raster pixels to strips without a division.
 class StripGrid {
  public:
   StripGrid() = default;
-  /// `bounds`: the picture pixels that are drawn at all.
+  /// `bounds`: the pixels of the picture that can be drawn.
   StripGrid(const Plan& plan, const View& view, const Rect& bounds)
       : inverse_rows_(inverse(plan.strip_rows)),
         inverse_columns_(inverse(plan.strip_columns)),
@@ -37,7 +37,7 @@ class StripGrid {
   struct Range {
     std::int32_t first, end;
   };
-  /// Rows of strips that hold raster rows top .. bottom - 1; none if first >= end.
+  /// Returns the rows of strips that contain raster rows top .. bottom - 1; none if first >= end.
   Range rows_of(std::int32_t top, std::int32_t bottom) const {
     const std::int32_t first = std::max(top + centre_y_, bounds_.top);
     const std::int32_t end = std::min(bottom + centre_y_, bounds_.bottom);
@@ -45,12 +45,12 @@ class StripGrid {
     return {strip(first, inverse_rows_), strip(end - 1, inverse_rows_) + 1};
   }
 
-  /// For a grid of whole rows: from the y of a vertex, 12.4, to its strip, as multiply_high(y + centre_y, inverse).
+  /// Converts the y of a vertex, 12.4, to its strip, as multiply_high(y + centre_y, inverse), in a grid of whole rows.
   struct VertexRows {
     std::int32_t centre_y;  ///< 12.4
-    std::uint32_t inverse;  ///< 2^28 / rows of a strip, rounded up: exact below 2^16, and what is negative stays so
+    std::uint32_t inverse;  ///< 2^28 / rows of a strip, rounded up: exact below 2^16; a negative value stays negative
     std::int32_t strips;    ///< 0 to strips - 1 can hold pixels
-    std::int32_t end;       ///< of the last of them, 12.4, at most 2^16
+    std::int32_t end;       ///< end of the last of them, 12.4, at most 2^16
   };
   VertexRows vertex_rows(std::uint16_t strip_rows) const {
     const std::int32_t strips = strip(bounds_.bottom - 1, inverse_rows_) + 1;
@@ -58,7 +58,7 @@ class StripGrid {
             std::min<std::int32_t>(strips * strip_rows * 16, 0x10000)};
   }
 
-  /// Strips that hold raster pixels of `box`; an empty rectangle if none does.
+  /// Returns the strips that contain raster pixels of `box`; an empty rectangle if none does.
   Rect strips_of(const Rect& box) const {
     if (box.empty()) return {};
     const std::int32_t left = std::max(box.left + centre_x_, bounds_.left);
@@ -67,7 +67,7 @@ class StripGrid {
     if (left >= right || rows.first >= rows.end) return {};
     return {strip(left, inverse_columns_), rows.first, strip(right - 1, inverse_columns_) + 1, rows.end};
   }
-  /// Returns the strips of pixels of the picture.
+  /// Returns the strips that contain these pixels of the picture.
   Rect strips_of_picture(const Rect& pixels) const {
     return strips_of(
         {pixels.left - centre_x_, pixels.top - centre_y_, pixels.right - centre_x_, pixels.bottom - centre_y_});
@@ -76,7 +76,7 @@ class StripGrid {
   struct Place {
     std::int32_t row, column;
   };
-  /// Unsigned, so that no division of signed numbers is linked.
+  /// Divides unsigned numbers, so that no signed division is linked.
   Place place_of(std::uint16_t strip) const {
     const auto across = static_cast<std::uint32_t>(across_);
     const std::uint32_t row = strip / across;
@@ -92,7 +92,7 @@ class StripGrid {
     return {group(strips.top, row_shift_), group(strips.bottom - 1, row_shift_), group(strips.left, column_shift_),
             group(strips.right - 1, column_shift_)};
   }
-  /// At least all strips of an extent that is not empty.
+  /// Returns a rectangle that contains all strips of an extent that is not empty.
   Rect strips_of_extent(const Extent& extent) const {
     const auto end = [](std::uint8_t last, std::uint32_t shift, std::int32_t strips) {
       return std::min<std::int32_t>((last + 1) << shift, strips);
@@ -109,7 +109,7 @@ class StripGrid {
   }
 
  private:
-  /// 2^31 / length, rounded up: exact quotients for pixels below 2^12.
+  /// Returns 2^31 / length, rounded up: exact quotients for pixels below 2^12.
   static std::uint32_t inverse(std::uint16_t length) { return 0x80000000U / length + 1; }
   static std::int32_t strip(std::int32_t pixel, std::uint32_t inverse) {
     return static_cast<std::int32_t>(multiply_high(static_cast<std::uint32_t>(pixel) << 1, inverse));

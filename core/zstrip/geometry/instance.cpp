@@ -1,5 +1,5 @@
-// Composes camera, transform and bounding box into the forms of a CompiledInstance. Once an instance and frame;
-// 64-bit arithmetic throughout. docs/numerics.md has the ranges.
+// Composes camera, transform and bounding box into the forms of a CompiledInstance, once for each instance and frame,
+// in 64-bit arithmetic. docs/numerics.md has the ranges.
 #include "zstrip/geometry/instance.hpp"
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 namespace zstrip::detail {
 namespace {
 
-/// One row of position -> view space: value(p) = offset + sum part[i] * p[i] / 32768, in 26.38.
+/// One row of the transform from position to view space: value(p) = offset + sum part[i] * p[i] / 32768, in 26.38.
 struct ViewRow {
   std::int64_t part[3];
   std::int64_t offset;
 };
 
-/// `axis` in 2.30.
+/// `axis` is in 2.30.
 ViewRow view_row(const Vec3& axis, const Camera& camera, const Mesh& mesh, const Transform& transform) {
   const std::int32_t a[3] = {axis.x, axis.y, axis.z};
   const Fixed half[3] = {mesh.half_extent.x, mesh.half_extent.y, mesh.half_extent.z};
@@ -39,7 +39,7 @@ ViewRow view_row(const Vec3& axis, const Camera& camera, const Mesh& mesh, const
   return row;
 }
 
-/// Largest absolute value over the bounding box.
+/// Returns the largest absolute value over the bounding box.
 std::uint64_t bound(const ViewRow& row) {
   return static_cast<std::uint64_t>(magnitude(row.part[0]) + magnitude(row.part[1]) + magnitude(row.part[2]) +
                                     magnitude(row.offset));
@@ -50,7 +50,7 @@ std::int64_t shifted_right(std::int64_t value, int shift) {
   return shift >= 0 ? value >> shift : static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << -shift);
 }
 
-/// A row brought to 30 bits: real value = form's value * 2^exponent / 2^38.
+/// A row scaled to 30 bits: real value = form's value * 2^exponent / 2^38.
 struct Normalised {
   LinearForm form;
   int exponent;
@@ -59,7 +59,7 @@ struct Normalised {
 Normalised normalise(const ViewRow& row) {
   const int exponent = 34 - std::countl_zero(bound(row) | 1);
   const auto coefficient = [&](int i) {
-    // LinearForm takes half of a coefficient at p = 32768: one bit more than the value.
+    // LinearForm uses half of a coefficient at p = 32768: coefficients have one bit more than the value.
     return static_cast<std::int32_t>(shifted_right(row.part[i], exponent - 1));
   };
   return {
@@ -73,7 +73,7 @@ LinearForm shifted_right(const LinearForm& form, int shift) {
   return {form.x >> shift, form.y >> shift, form.z >> shift, form.offset >> shift};
 }
 
-/// form * mantissa / 2^31.
+/// Returns form * mantissa / 2^31.
 LinearForm scaled(const LinearForm& form, std::int64_t mantissa) {
   const auto times = [mantissa](std::int32_t c) { return static_cast<std::int32_t>((c * mantissa) >> 31); };
   return {times(form.x), times(form.y), times(form.z), times(form.offset)};
@@ -85,8 +85,8 @@ ViewRow distance_row(const Mesh& mesh, const Transform& transform, const Camera&
   return negated(view_row(camera.back, camera, mesh, transform));
 }
 
-/// The light's direction as seen from the object: the transform's transpose, renormalised. Exact for rotations with
-/// uniform scale.
+/// Returns the light's direction in object space: multiplies it by the transposed transform and normalises it. Exact
+/// for rotations with uniform scale.
 ObjectLight object_light(const DirectionalLight& light, const Transform& transform, const Colour& material) {
   const std::int64_t direction[3] = {light.x, light.y, light.z};
   std::int64_t turned[3] = {};  // 9.16 * 1.15, three terms: below 2^42
@@ -140,7 +140,7 @@ void compile_shading(CompiledInstance& compiled, const Scene& scene, const Insta
   }
 }
 
-/// Numerator of a picture coordinate: view row times pixels per unit. `extra_exponent` is that of w for perspective.
+/// Sets the numerator of a picture coordinate: view row times pixels per unit. `w_exponent` is the exponent of w.
 Status compile_coordinate(LinearForm& form, std::int32_t& shift, const ViewRow& row, std::int64_t mantissa,
                           int mantissa_exponent, int w_exponent) {
   const Normalised normal = normalise(row);
@@ -156,20 +156,20 @@ Status compile_coordinate(LinearForm& form, std::int32_t& shift, const ViewRow& 
 }
 
 void compile_perspective_depth(CompiledInstance& compiled, const DepthFit& fit, int w_exponent) {
-  // code = k / w - offset, with k = quotient_at_near * near. Near is taken as it is, not as the instance's w rounds it:
-  // where the box is large, few bits of w are left near the camera, and k would be wrong at every distance.
+  // code = k / w - offset, with k = quotient_at_near * near. Near is exact here, not rounded to the instance's w: if
+  // the box is large, w has few bits near the camera, and k would be wrong at every distance.
   const auto top_word = [](std::int64_t value) {
     const int zeros = std::countl_zero(static_cast<std::uint64_t>(value));
     return std::pair{static_cast<std::uint32_t>((static_cast<std::uint64_t>(value) << zeros) >> 32), zeros};
   };
   const auto [near, near_zeros] = top_word(fit.near);
   const auto [quotient, quotient_zeros] = top_word(fit.quotient_at_near);
-  // With n the leading zeros that near has in the instance's scale, r = 2^62 / (near 2^n): k = quotient_at_near / r.
+  // With n the leading zeros of near in the instance's scale and r = 2^62 / (near 2^n): k = quotient_at_near / r.
   int normalisation = w_exponent + near_zeros - 32;
   std::uint32_t scale = multiply_high(quotient, near);
   int shift = (32 - quotient_zeros) + 2;
   if (scale < 0x80000000U) scale <<= 1, --shift;
-  // Shifts of more than 31 bits are not defined; w is below 2^30, so its reciprocal is normalised by 2 or more.
+  // Shifts of more than 31 bits are undefined; w is below 2^30, so that its reciprocal is normalised by 2 or more.
   constexpr int kMax = 33;
   if (normalisation > kMax) {
     scale = normalisation - kMax < 32 ? scale >> (normalisation - kMax) : 0;
@@ -212,14 +212,14 @@ Status compile_instance(CompiledInstance& compiled, const Scene& scene, const In
 
   Normalised w = normalise(distance_row(mesh, instance.transform, camera));
   if constexpr (orthographic) {
-    // Depth is linear in w: one scale for all instances, so that far fits as well.
+    // Depth is linear in w: all instances share one scale, in which far fits as well.
     const int exponent_of_far = 34 - std::countl_zero(static_cast<std::uint64_t>(fit.far));
     if (exponent_of_far > w.exponent) {
       w = {shifted_right(w.form, exponent_of_far - w.exponent), exponent_of_far};
     }
   }
 
-  // Pixels per unit, in sixteenths: focal * height / 2 * 16, as a mantissa of 31 bits.
+  // Pixels per unit in sixteenths, focal * height / 2 * 16, as a mantissa of 31 bits.
   const std::uint64_t sixteenths = static_cast<std::uint64_t>(camera.focal) * view.height * 8U;  // 16 fraction bits
   const int zeros = std::countl_zero(sixteenths);
   const auto mantissa = static_cast<std::int64_t>((sixteenths << zeros) >> 33);  // 2^30 .. 2^31
@@ -227,7 +227,7 @@ Status compile_instance(CompiledInstance& compiled, const Scene& scene, const In
 
   const ViewRow right = view_row(camera.right, camera, mesh, instance.transform);
   const ViewRow down = negated(view_row(camera.up, camera, mesh, instance.transform));
-  // Orthographic: no division; as if w were 2^30, so that coordinate = form >> shift.
+  // Orthographic coordinates need no division: coordinate = form >> shift, as if w were 2^30.
   const int w_exponent = orthographic ? kDistanceBits - 30 : w.exponent;
   const Status status_x =
       compile_coordinate(compiled.x, compiled.shift_x, right, mantissa, mantissa_exponent, w_exponent);
@@ -238,10 +238,10 @@ Status compile_instance(CompiledInstance& compiled, const Scene& scene, const In
   compiled.w = w.form;
   const auto in_w = [exponent = w.exponent](Distance distance) { return shifted_right(distance, exponent); };
   constexpr std::int64_t kMax = (std::int64_t{1} << 30) - 1;
-  // Inwards, so that no w of the range has a code outside 1..65534.
+  // Rounded inwards, so that no w of the range has a code outside 1..65534.
   const std::int64_t w_near = std::max<std::int64_t>(1, -in_w(-fit.near));
   const std::int64_t w_far = in_w(fit.far) > kMax ? kMax : in_w(fit.far);
-  // A depth range that is thinner than a step of w cannot be told from nothing.
+  // The depth range must span more than one step of w.
   if (w_near >= w_far) return {.error = Error::instance};
   compiled.w_near = static_cast<std::uint32_t>(w_near);
   compiled.w_range = static_cast<std::uint32_t>(w_far - w_near);

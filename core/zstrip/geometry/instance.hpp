@@ -1,5 +1,5 @@
-// An instance prepared for one frame: object-space positions to picture coordinates in a few multiplications,
-// and its lights turned into object space.
+// An instance prepared for one frame: forms that convert object-space positions to picture coordinates in a few
+// multiplications, and its lights in object space.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,9 @@ struct LinearForm {
   }
 };
 
-/// How the light and the material shade this instance. Chosen once a frame, not once a triangle.
-/// `fragments` is added to one of the others where fragments have effects: see fill_fragments; `lit_fragments`, which
-/// has it in it, where they are lit, too.
+/// The way in which light and material shade this instance; chosen once a frame, not once a triangle. If fragments have
+/// effects, `fragments` is added to one of the other values (see fill_fragments); if they are also lit,
+/// `lit_fragments`, which includes it, is added instead.
 enum class Shade : std::uint8_t {
   flat,
   gouraud,
@@ -66,13 +66,13 @@ struct CompiledInstance {
   std::uint8_t light_count;
   ObjectLight lights[kMaxLights];
   Colour ambient;  ///< ambient light times material
-  Colour base;     ///< the material's colour
+  Colour base;     ///< colour of the material
   std::uint16_t mesh, material;
   bool lit, coloured, double_sided, visible;
 };
 static_assert(sizeof(CompiledInstance) <= kInstanceBytes);
 
-/// Distances that the instance's bounding box spans along the viewing direction. May lie behind the camera.
+/// The distances that the instance's bounding box spans along the viewing direction. They may be behind the camera.
 struct DistanceRange {
   Distance nearest, farthest;
 };
@@ -80,20 +80,20 @@ DistanceRange distance_range(const Mesh& mesh, const Transform& transform, const
 
 inline constexpr DistanceRange kNoReach{INT64_MAX, INT64_MIN};
 
-/// Extends a reach by something that spans `range`, if that lies in the camera's depth range.
+/// Extends `reach` by `range`, if `range` overlaps the camera's depth range.
 constexpr void extend(DistanceRange& reach, const DistanceRange& range, const Camera& camera) {
   if (range.farthest < distance_of(camera.near_plane) || range.nearest > distance_of(camera.far_plane)) return;
   if (range.nearest < reach.nearest) reach.nearest = range.nearest;
   if (range.farthest > reach.farthest) reach.farthest = range.farthest;
 }
 
-/// Error::instance if its picture would be more than 2^26 pixels wide, or if its box is so large beside the depth
-/// range of the frame that all of it would be one step of w. `orthographic`: the camera's projection; `lights`: whether
-/// anything may be lit.
+/// Returns Error::instance if the instance's picture would be more than 2^26 pixels wide, or if its box is so much
+/// larger than the frame's depth range that the range would be one step of w. `orthographic`: the camera's projection;
+/// `lights`: anything may be lit.
 template <bool orthographic, bool lights>
 Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,
                         const View& view, const DepthFit& fit);
-/// For any camera.
+/// Compiles an instance for any camera.
 inline Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance,
                                const Camera& camera, const View& view, const DepthFit& fit) {
   return camera.projection == Projection::orthographic

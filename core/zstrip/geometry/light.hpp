@@ -1,4 +1,4 @@
-// The colour of a vertex: ambient and directional light on the material, times the vertex colour.
+// Computes the colour of a vertex: ambient and directional light on the material, times the vertex colour.
 #pragma once
 
 #include "zstrip/effects.hpp"
@@ -6,13 +6,14 @@
 
 namespace zstrip::detail {
 
-/// 0..255 to a factor of 0..256, so that 255 is exactly one.
+/// Converts 0..255 to a factor of 0..256, so that 255 is exactly one.
 constexpr std::uint32_t factor(std::uint32_t channel) { return channel + (channel >> 7); }
 
 constexpr std::uint8_t clamped_channel(std::uint32_t sum) { return static_cast<std::uint8_t>(sum < 255 ? sum : 255); }
 
-/// Ambient and directional light on what was compiled of an instance or of a quadric. `shift` turns the cosine that a
-/// normal of this format makes into an intensity of up to 8 bits, `ones` that intensity into one of 0..256.
+/// Computes ambient and directional light for a compiled instance or quadric. A right shift by `shift` converts the
+/// cosine for this format of normals to an intensity of up to 8 bits; adding that intensity shifted right by `ones`
+/// makes it 0..256.
 template <int shift, int ones, class Lit, class Direction>
 [[gnu::always_inline]] inline Colour lit_by(const Lit& lit, const Direction& normal) {
   std::uint32_t r = lit.ambient.r;
@@ -24,7 +25,7 @@ template <int shift, int ones, class Lit, class Direction>
     if (cosine <= 0) continue;
     std::uint32_t intensity = static_cast<std::uint32_t>(cosine) >> shift;
     intensity += intensity >> ones;
-    if (intensity > 256) intensity = 256;  // normals longer than one
+    if (intensity > 256) intensity = 256;  // normals may be longer than one
     r += (intensity * light.r) >> 8;
     g += (intensity * light.g) >> 8;
     b += (intensity * light.b) >> 8;
@@ -32,7 +33,7 @@ template <int shift, int ones, class Lit, class Direction>
   return {clamped_channel(r), clamped_channel(g), clamped_channel(b), 255};
 }
 
-/// The cosine is 3.22; shifted, 0..253 where both are unit vectors.
+/// The cosine is 3.22; shifted, it is 0..253 if both vectors are unit vectors.
 inline Colour lit_colour(const CompiledInstance& instance, const Normal& normal) {
   return lit_by<14, 6>(instance, normal);
 }
@@ -43,21 +44,21 @@ constexpr Colour modulated(const Colour& colour, const Colour& by) {
           static_cast<std::uint8_t>((colour.b * factor(by.b)) >> 8), 255};
 }
 
-/// The vertex' own colour comes last.
+/// Multiplies by the vertex's own colour, after the light.
 template <Effects effects>
 inline Colour with_vertex_colour(const Colour& colour, const CompiledInstance& instance, const Mesh& mesh,
                                  std::uint32_t vertex) {
   if constexpr (effects.has(effect::vertex_colours)) {
     if (instance.coloured) {
       const Colour& own = mesh.colours[vertex];
-      // White base and no light: the vertex colour as it is, without a multiplication.
+      // With a white base and no light the result is the vertex colour, without a multiplication.
       return colour == Colour{255, 255, 255, 255} ? own : modulated(colour, own);
     }
   }
   return colour;
 }
 
-/// `instance.lit` and `instance.coloured` are only looked at where the effect exists.
+/// Reads `instance.lit` and `instance.coloured` only if the effect exists.
 template <Effects effects>
 inline Colour vertex_colour(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex) {
   Colour colour = instance.base;

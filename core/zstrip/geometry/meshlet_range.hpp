@@ -8,13 +8,13 @@
 
 namespace zstrip::detail {
 
-/// Vertices are those of the mesh from first_vertex on.
+/// The vertices are those of the mesh from first_vertex on.
 struct MeshletRange {
   std::uint32_t first_vertex, vertex_count;
   std::span<const Triangle> triangles;
 };
 
-/// A mesh without meshlets is one.
+/// Returns the number of meshlets; a mesh without a table of meshlets is one meshlet.
 constexpr std::uint32_t meshlet_count(const Mesh& mesh) {
   return mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
 }

@@ -1,5 +1,6 @@
-// From a position's linear forms to snapped picture coordinates and depth. One formula for the narrow vertices of the
-// fast path and the wide ones of the clipping path: a vertex that both see gets the same coordinates.
+// Projects the linear forms of a position to snapped picture coordinates and depth. The narrow vertices of the fast
+// path and the wide ones of the clipping path use the same formula: a vertex that both accept gets the same
+// coordinates.
 #pragma once
 
 #include <bit>
@@ -26,7 +27,7 @@ inline constexpr int kGuardBits = 25;
 
 /// The frame's constants of the mapping to raster coordinates.
 struct RasterOrigin {
-  std::int32_t bias_x, bias_y;  ///< kCentreBias, plus half a pixel where the size is odd
+  std::int32_t bias_x, bias_y;  ///< kCentreBias, plus half a pixel if the size is odd
   std::uint32_t depth_offset;   ///< subtracted from k / w, modulo 2^32 (perspective); added (orthographic)
 };
 
@@ -52,14 +53,16 @@ constexpr Reciprocal reciprocal_of(std::uint32_t w) {
   const int normalisation = std::countl_zero(w);
   return {reciprocal(w << normalisation), normalisation};
 }
-/// `likely`: how many zeros w probably begins with, 0 .. 31. A processor that does not count them tries these first.
+/// `likely`: the probable number of leading zeros of w, 0 .. 31. A processor that cannot count them tries this number
+/// first.
 constexpr Reciprocal reciprocal_of(std::uint32_t w, int likely) {
   if (kCountsZeros || w >> (31 - likely) != 1) [[unlikely]]
     return reciprocal_of(w);
   return {reciprocal(w << likely), likely};
 }
 
-/// Snaps the depth of a vertex in any format to odd eighths of a code, as snap_depth does for z16. Codes start at 1.
+/// Snaps the depth of a vertex in any format to odd eighths of a code, as snap_depth does for z16. The smallest code is
+/// 1.
 template <DepthFormat format>
 constexpr std::uint32_t snap_depth_as(std::uint32_t depth) {
   if constexpr (format == DepthFormat::float16) {
@@ -73,13 +76,13 @@ constexpr std::uint32_t snap_depth_as(std::uint32_t depth) {
   }
 }
 
-/// Depth of a vertex at distance w (in the instance's scale) inside the depth range, snapped. In 1/2^32 of all codes:
-/// 16.16 codes of z16, 24.8 of z24; near / w in 0.32 for float16.
+/// Returns the snapped depth of a vertex at distance w (in the instance's scale) inside the depth range, in 1/2^32 of
+/// all codes: 16.16 codes of z16, 24.8 of z24; near / w in 0.32 for float16.
 template <bool orthographic, DepthFormat format = DepthFormat::z16>
 constexpr std::uint32_t project_depth(const CompiledInstance& instance, const RasterOrigin& origin, std::int32_t w,
                                       const Reciprocal& r) {
   if constexpr (format != DepthFormat::z16) {
-    // All bits of the product: these formats show them.
+    // Uses all bits of the product, because these formats keep them.
     if constexpr (orthographic) {
       const std::uint32_t from_far = instance.w_near + instance.w_range - static_cast<std::uint32_t>(w);
       const std::uint64_t product = std::uint64_t{from_far << instance.depth_normalisation} * instance.depth_scale;
@@ -103,9 +106,9 @@ constexpr std::uint32_t project_depth(const CompiledInstance& instance, const Ra
 /// Values of an instance that project_narrow needs for all of its vertices.
 template <bool orthographic>
 struct NarrowProjection {
-  std::uint32_t w_near, w_range;  ///< where a vertex may be narrow
-  std::int32_t shift_x, shift_y;  ///< to 1/32 pixels, with perspective for a w that is normalised by 0
-  std::int32_t bias_x, bias_y;    ///< RasterOrigin's in 1/32 pixels, and half of 1/16 to round to nearest
+  std::uint32_t w_near, w_range;  ///< range of w in which a vertex may be narrow
+  std::int32_t shift_x, shift_y;  ///< to 1/32 pixels; with perspective for a w with normalisation 0
+  std::int32_t bias_x, bias_y;    ///< RasterOrigin's bias in 1/32 pixels, plus half of 1/16 to round to nearest
 
   constexpr NarrowProjection(const CompiledInstance& instance, const RasterOrigin& origin)
       : w_near(instance.w_near),
@@ -115,7 +118,7 @@ struct NarrowProjection {
         bias_x(2 * origin.bias_x + 1),
         bias_y(2 * origin.bias_y + 1) {
     const std::int32_t smaller = shift_x < shift_y ? shift_x : shift_y;
-    // A vertex so near that it would be shifted left takes the clipping path.
+    // A vertex so near that the shift would be negative takes the clipping path.
     const std::uint32_t nearest = smaller < 0    ? 0xFFFFFFFF
                                   : orthographic ? 0
                                   : smaller < 31 ? std::uint32_t{1} << (31 - smaller)
@@ -124,13 +127,14 @@ struct NarrowProjection {
       const std::uint32_t nearer = nearest - w_near;
       w_near = nearest;
       w_range -= nearer;
-      if (nearer > instance.w_range) w_near = 0x80000000, w_range = 0;  // no w is that: |w| < 2^31
+      if (nearer > instance.w_range) w_near = 0x80000000, w_range = 0;  // empty: |w| < 2^31
     }
   }
 };
 
-/// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
-/// `normalisation`: in, a likely one of w, 0 .. 31, such as the last vertex's; out, that of a w in range.
+/// Projects and snaps a vertex. Returns false if it is not narrow. `x`, `y`, `w` are the instance's linear forms at the
+/// vertex. `normalisation`: on entry the probable one of w, 0 .. 31, such as the last vertex's; on return that of a w
+/// in range.
 template <bool orthographic, DepthFormat format = DepthFormat::z16>
 inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
                            const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,
@@ -146,7 +150,7 @@ inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const C
   // Rounded to nearest, halves up.
   const std::int32_t px = ((x >> (narrow.shift_x - r.normalisation)) + narrow.bias_x) >> 1;
   const std::int32_t py = ((y >> (narrow.shift_y - r.normalisation)) + narrow.bias_y) >> 1;
-  // Both at once: a sum outside 0 .. 2 kNarrowLimit has a bit above.
+  // Tests both at once: a sum outside 0 .. 2 kNarrowLimit has a higher bit set.
   static_assert(std::has_single_bit(static_cast<std::uint32_t>(kNarrowLimit)));
   if ((static_cast<std::uint32_t>(px + kNarrowLimit) | static_cast<std::uint32_t>(py + kNarrowLimit)) >=
       static_cast<std::uint32_t>(2 * kNarrowLimit)) {

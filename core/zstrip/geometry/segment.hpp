@@ -1,4 +1,4 @@
-// The way of a segment from its vertices to the picture: clipped and snapped, as corners of triangles are.
+// Projects a segment from its vertices to the picture, clipped and snapped like the corners of triangles.
 #pragma once
 
 #include "zstrip/geometry/clip.hpp"
@@ -7,7 +7,8 @@
 
 namespace zstrip::detail {
 
-/// Ends of a segment, or a point twice, clipped and snapped as corners of triangles are. Depth as project_depth has it.
+/// The ends of a segment, or a point twice, clipped and snapped like the corners of triangles. Depth as in
+/// project_depth.
 struct SnappedSegment {
   WidePosition a, b;
 };
@@ -21,8 +22,8 @@ WidePosition project_clipped(const CompiledInstance& instance, const RasterOrigi
   return position;
 }
 
-/// Clips a segment that leaves the narrow range or the depth range. Returns false if nothing is left. Not inlined:
-/// its part of the stack is free again while pixels are drawn.
+/// Clips a segment that leaves the narrow range or the depth range. Returns false if nothing is left. Not inlined, so
+/// that its stack is free again while pixels are drawn.
 template <bool orthographic, DepthFormat format>
 [[gnu::noinline]] bool clip_segment(const CompiledInstance& instance, const RasterOrigin& origin, const Position& a,
                                     const Position& b, bool is_point, SnappedSegment& snapped) {
@@ -46,7 +47,7 @@ template <bool orthographic, DepthFormat format>
   return true;
 }
 
-/// False if it lies outside the clip volume.
+/// Returns false if the segment lies outside the clip volume.
 template <bool orthographic, DepthFormat format>
 bool snap_segment(const CompiledInstance& instance, const NarrowProjection<orthographic>& narrow,
                   const RasterOrigin& origin, const Position& a, const Position& b, bool is_point,

@@ -1,4 +1,4 @@
-// Colours of a meshlet's vertices beside the post-transform cache, each once.
+// Computes the colours of a meshlet's vertices, each once, next to the post-transform cache.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace zstrip::detail {
 
-/// True if no light or tint changes the colours of the instance's mesh: they are read where they are.
+/// True if neither light nor tint changes the colours of the instance's mesh, so that they are read from the mesh.
 template <Effects effects>
 bool has_colours_of_mesh(const CompiledInstance& instance) {
   if constexpr (!effects.has(effect::vertex_colours)) return false;

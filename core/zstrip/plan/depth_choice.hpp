@@ -1,5 +1,5 @@
-// How far apart surfaces must be for each depth format to sort them, and the cheapest format that sorts what a scene
-// needs. constexpr, so that the choice can be a renderer's effect:
+// Computes how far apart surfaces must be for each depth format to sort them, and the cheapest format that sorts the
+// surfaces of a scene. constexpr, so that the choice can be a renderer's effect:
 //     constexpr Effects kEffects = effects_of(scene, camera) | depth_effect(cheapest_depth_format(range, farthest,
 //     separation));
 #pragma once
@@ -12,8 +12,8 @@
 
 namespace zstrip {
 
-/// Distances between which depth is kept, in view units (16.16), 0 < near < far: those of the scene, to which a frame
-/// fits its codes, or the camera's with Camera::fixed_depth_range.
+/// The distances between which depth is stored, in view units (16.16), 0 < near < far: those of the scene, to which a
+/// frame fits its codes, or the camera's with Camera::fixed_depth_range.
 struct DepthRange {
   Fixed near, far;
   Projection projection = Projection::perspective;
@@ -23,9 +23,9 @@ constexpr bool available(DepthFormat format, Projection projection) {
   return projection == Projection::perspective || format != DepthFormat::float16;
 }
 
-/// Distance behind another surface, at `distance` (near..far), that is sorted right at every pixel, also where both
-/// are tilted by up to 45 degrees: 2.5 codes; docs/numerics.md has measurements. In view units, 32.32, rounded up.
-/// UINT64_MAX where the format has no codes, or cannot have this projection.
+/// Returns the smallest distance between two surfaces, at `distance` (near..far), at which every pixel is sorted right,
+/// also if both are tilted by up to 45 degrees: 2.5 codes; docs/numerics.md has measurements. In view units, 32.32,
+/// rounded up. UINT64_MAX if the format has no codes, or does not support this projection.
 constexpr std::uint64_t depth_separation(DepthFormat format, const DepthRange& range, Fixed distance) {
   constexpr std::uint64_t kNever = UINT64_MAX;
   const auto near = static_cast<std::uint64_t>(range.near), far = static_cast<std::uint64_t>(range.far);
@@ -38,22 +38,22 @@ constexpr std::uint64_t depth_separation(DepthFormat format, const DepthRange& r
     const std::uint32_t codes = near_over_w >> (12 + float16_octave(near_over_w));
     return codes == 0 ? kNever : for_codes((w << 16) / codes);
   }
-  // A code's share of 1/near - 1/far, times w^2.
+  // One code's share of 1/near - 1/far, times w^2.
   std::uint64_t spread = (w << 16) / near - (w << 16) / far;  // 32.16: w / near - w / far
   int dropped = 0;
   for (; spread >> 32 != 0; spread >>= 1) ++dropped;
   const std::uint64_t code = spread * w / largest_depth_code(format);
-  // 1/w itself has 28 bits: what limits z24 where near and far are close together.
+  // 1/w itself has 28 bits, which limits z24 if near and far are close together.
   const std::uint64_t limit = w >> 12;
   if (code >> (63 - dropped) != 0) return kNever;
   return for_codes(code << dropped > limit ? code << dropped : limit);
 }
 
 /// Returns the cheapest format that sorts surfaces `separation` (32.32) apart, from range.near to `farthest` (at most
-/// range.far): z16, the small float or z24. z24 if none does.
+/// range.far): z16, the small float or z24. Returns z24 if none does.
 constexpr DepthFormat cheapest_depth_format(const DepthRange& range, Fixed farthest, std::uint64_t separation) {
   for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16}) {
-    // All of them get coarser with the distance.
+    // Every format gets coarser with the distance.
     if (depth_separation(format, range, farthest) <= separation) return format;
   }
   return DepthFormat::z24;

@@ -1,4 +1,4 @@
-// The memory of a static layer beside the arena: a pool for depth, one for colour, and the dirty tiles.
+// The memory of a static layer, in addition to the arena: a pool for depth, one for colour, and the dirty tiles.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ struct LayerBytes {
   constexpr std::uint64_t sum() const { return std::uint64_t{depth} + colour + dirty; }
 };
 
-/// With pools of these sizes, which `zstrip plan` measures for a scene.
+/// Returns the bytes with pools of these sizes, which `zstrip plan` measures for a scene.
 constexpr LayerBytes layer_bytes(const View& view, std::uint32_t depth_pool, std::uint32_t colour_pool) {
   return {depth_pool, colour_pool, 4 * dirty_tile_words(view.width, view.height)};
 }
 
-/// In which every background has room, whatever it shows.
+/// Returns the bytes with which every background fits, whatever it shows.
 constexpr LayerBytes layer_bytes_worst(const View& view) {
   const std::uint32_t pool = store_bytes_worst(view.width, view.height);
   return layer_bytes(view, pool, pool);

@@ -1,4 +1,4 @@
-// Finds the best plan: all that are worth a look, the cheapest that fits, and the smallest.
+// Finds the best plan: tries all plans that can be best, and keeps the cheapest that fits and the smallest.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace zstrip {
 
 namespace detail {
 
-/// All plans for one request; finds the best that fits and the smallest.
+/// Tries all plans for one request; finds the best one that fits and the smallest one.
 class Planner {
  public:
   constexpr Planner(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget)
@@ -61,8 +61,8 @@ class Planner {
     const Plan lowest = with(mode, columns, static_cast<std::uint16_t>((view_.height + most_down - 1) / most_down));
     consider(lowest);
     consider(with(mode, columns, view_.height));
-    // From the fewest strips whose pixels could fit on, with evenly filled rows, to the first that does: more strips
-    // of the same columns cost more time.
+    // Tries rows from the fewest strips whose pixels could fit, with evenly filled strips, to the first plan that fits:
+    // with the same columns, more strips cost more time.
     const std::uint64_t fixed =
         std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes + effect_bytes_ + layer_.sum();
     if (fixed >= limit_) return;
@@ -79,7 +79,7 @@ class Planner {
     const std::uint32_t strips = plan.columns_of_strips(view_) * plan.rows_of_strips(view_);
     if (strips > kMaxStrips) return {};
     plan.strips = static_cast<std::uint16_t>(strips);
-    if (strips > 1) plan.mode = mode;  // a single strip has nothing to list
+    if (strips > 1) plan.mode = mode;  // a single strip needs no lists
     const std::uint64_t cells = std::uint64_t{rows} * columns * view_.samples;
     if (sorts_triangles(effects_) && counts_.longest_meshlet > kMaxSortedIndex) return {};
     const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
@@ -120,7 +120,7 @@ class Planner {
     return plan.wide_bytes() + std::uint64_t{strip_buffers_} * plan.strip_pixel_bytes(view_) + layer_.sum();
   }
 
-  /// Returns true if the plan fits. Inlined, there would be four copies.
+  /// Returns true if the plan fits. Not inlined, because that would make four copies.
   [[gnu::noinline]] constexpr bool consider(const Plan& plan) {
     if (plan.strips == 0) return false;
     const std::uint64_t bytes = all_bytes(plan);

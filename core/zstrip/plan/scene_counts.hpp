@@ -25,7 +25,7 @@ constexpr SceneCounts count(const Scene& scene) {
                      .quadrics = static_cast<std::uint32_t>(scene.quadrics.size()),
                      .line_sets = static_cast<std::uint32_t>(scene.lines.size())};
   const auto raise = [](std::uint32_t& largest, std::uint32_t value) { largest = largest < value ? value : largest; };
-  // No sum wraps: what needs more than 32 bits is refused everywhere, not mistaken for something small.
+  // No sum wraps: a count of more than 32 bits becomes the maximum, which every plan refuses.
   const auto add = [](std::uint32_t& sum, std::uint64_t value) {
     const std::uint64_t wide = sum + value;
     sum = wide < 0xFFFFFFFF && value < 0xFFFFFFFF ? static_cast<std::uint32_t>(wide) : 0xFFFFFFFF;

@@ -87,7 +87,7 @@ inline void fill_blocks_portably(PixelPairs* to, std::uint32_t pair, std::uint32
 }
 inline void fill_blocks(PixelPairs* to, std::uint32_t pair, std::uint32_t blocks) {
 #if defined(__arm__)
-  // Compilers make eight stores of a loop; store multiple is one instruction.
+  // Compilers make eight stores of the loop; a store-multiple is one instruction.
   asm volatile(
       ".syntax unified\n\t"
       "movs r3, %2\n\tmovs r4, %2\n\tmovs r5, %2\n\tmovs r6, %2\n"
@@ -117,7 +117,7 @@ inline void fill_pixels(std::uint16_t* pixels, std::uint32_t count, std::uint16_
 /// Swaps the bytes of each of two pixels.
 inline std::uint32_t swapped(std::uint32_t pair) {
 #if defined(__arm__) && __ARM_ARCH >= 6
-  asm("rev16 %0, %1" : "=l"(pair) : "l"(pair));  // GCC 12 makes five instructions of the line below
+  asm("rev16 %0, %1" : "=l"(pair) : "l"(pair));  // GCC 12 makes five instructions of the C++ line below
   return pair;
 #else
   return ((pair & 0x00FF00FFU) << 8) | ((pair >> 8) & 0x00FF00FFU);

@@ -1,4 +1,4 @@
-// Bounds of a frame; see bounds.hpp.
+// Computes the bounds of a frame; see bounds.hpp.
 #include "zstrip/stages/bounds.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ struct PositionBox {
   Position low{-32768, -32768, -32768}, high{32767, 32767, 32767};
 };
 
-/// Pixels of a raster coordinate; the guard band and more stand for "beyond any picture".
+/// Converts a raster coordinate to pixels. Values from the guard band on mean "outside every picture".
 std::int32_t pixels(std::int32_t numerator, const Reciprocal& r, std::int32_t shift, std::int32_t bias,
                     bool orthographic) {
   const int total = 32 + shift - (orthographic ? 0 : r.normalisation);
@@ -40,7 +40,7 @@ Rect pixels_of(const PositionBox& positions, const CompiledInstance& instance, c
     const std::int32_t y = pixels(instance.y.at(p), r, instance.shift_y, origin.bias_y, orthographic);
     box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
   }
-  // One pixel more on each side: every rounding of the projection is below that.
+  // One pixel more on each side, because the roundings of the projection add up to less than that.
   const std::int32_t centre_x = view.width >> 1;
   const std::int32_t centre_y = view.height >> 1;
   const Rect cut{std::max(box.left - 1 + centre_x, whole.left), std::max(box.top - 1 + centre_y, whole.top),
@@ -48,13 +48,14 @@ Rect pixels_of(const PositionBox& positions, const CompiledInstance& instance, c
   return cut.empty() ? Rect{} : cut;
 }
 
-/// The sphere's cube, in positions. Radii are in units of the largest half extent: more units of the others.
+/// Returns the sphere's cube, in positions. The radius is in units of the largest half extent, and is more units of a
+/// smaller one.
 PositionBox cube_of(const Meshlet& meshlet, const Mesh& mesh) {
   const Vec3& half = mesh.half_extent;
   const std::int32_t largest = std::max(std::max(half.x, half.y), half.z);
   PositionBox box;
   const auto side = [&](std::int16_t centre, Fixed extent, std::int16_t& low, std::int16_t& high) {
-    if (extent <= 0) return;  // flat: whatever the positions are
+    if (extent <= 0) return;  // flat: all positions are valid
     const std::int64_t reach = (std::int64_t{meshlet.radius} * largest + extent - 1) / extent + 1;
     low = static_cast<std::int16_t>(std::max<std::int64_t>(centre - reach, -32768));
     high = static_cast<std::int16_t>(std::min<std::int64_t>(centre + reach, 32767));
@@ -89,8 +90,8 @@ Rect bounds_of(const CompiledInstance& instance, const RasterOrigin& origin, con
 
 Rect bounds_with_border(const CompiledInstance& instance, std::int32_t border, const RasterOrigin& origin,
                         const View& view, bool orthographic) {
-  // In a picture with a border, so that what lies beside this one and reaches into it is not lost. Its size keeps
-  // the parity of this one's.
+  // Computed in a picture with a border, so that parts outside this picture that reach into it are not lost. The border
+  // keeps the size odd or even.
   View wider = view;
   wider.width = static_cast<std::uint16_t>(view.width + 2 * border);
   wider.height = static_cast<std::uint16_t>(view.height + 2 * border);
@@ -108,7 +109,7 @@ SphereBounds sphere_bounds(const CompiledInstance& instance, const Mesh& mesh, c
   const auto& [low, high] = positions;
   const LinearForm& w = instance.w;
   const Position nearest{w.x < 0 ? high.x : low.x, w.y < 0 ? high.y : low.y, w.z < 0 ? high.z : low.z};
-  // Each of the form's products is rounded down.
+  // Three products of the form are rounded down.
   const std::int32_t distance = w.at(nearest) - 3;
   if (distance <= static_cast<std::int32_t>(instance.w_near)) return bounds;
   if (static_cast<std::uint32_t>(distance) - instance.w_near > instance.w_range) {  // beyond the depth range

@@ -1,4 +1,4 @@
-// The rectangle and the depth range that a frame's scene can fill, from bounding boxes alone.
+// Computes the rectangle and the depth range that a frame's scene can fill, from bounding boxes alone.
 #pragma once
 
 #include "zstrip/camera.hpp"
@@ -8,25 +8,26 @@
 
 namespace zstrip::detail {
 
-/// Distances of all instances that reach into the camera's depth range; kNoReach if there is none.
+/// Returns the distances of all instances that reach into the camera's depth range; kNoReach if none does.
 DistanceRange reach_of(const Scene& scene, const Camera& camera);
 
-/// Fitted to what lies in front of the camera, or to the camera's range if that is fixed; near == 0 for kNoReach.
+/// Returns a fit to the part of `reach` in front of the camera, or to the camera's range if that is fixed; near == 0
+/// for kNoReach.
 DepthFit fit_to(const DistanceRange& reach, const Camera& camera);
 
-/// Picture pixels that the instance's bounding box can cover, cut to the view.
+/// Returns the picture pixels that the instance's bounding box can cover, cut to the view.
 Rect bounds_of(const CompiledInstance& instance, const RasterOrigin& origin, const View& view, bool orthographic);
 
-/// As bounds_of, with `border` pixels around them.
+/// Returns bounds_of, extended by `border` pixels.
 Rect bounds_with_border(const CompiledInstance& instance, std::int32_t border, const RasterOrigin& origin,
                         const View& view, bool orthographic);
 
-/// The pixels that a meshlet's bounding sphere can cover, as bounds_of gives them, and the nearest depth code.
+/// The picture pixels that a meshlet's bounding sphere can cover, cut to the view, and the nearest depth code.
 struct SphereBounds {
   Rect box;
   std::uint32_t nearest;
 };
-/// z16 only. `meshlet` null: of the instance's whole box.
+/// For z16 only. A null `meshlet` means the instance's whole box.
 SphereBounds sphere_bounds(const CompiledInstance& instance, const Mesh& mesh, const Meshlet* meshlet,
                            const RasterOrigin& origin, const View& view, bool orthographic);
 

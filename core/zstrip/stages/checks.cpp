@@ -1,4 +1,4 @@
-// The checks that no effect changes.
+// The checks of requests that do not depend on effects.
 #include "zstrip/stages/checks.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Status check_request(const Scene& scene, const SceneCounts& counts, const Camera
   const bool binned = plan.mode == Mode::binned;
   if (binned) called_for = called_for | effect::bins;
   if (const Effects missing = missing_effects(called_for, effects); missing.bits != 0) return effects_missing(missing);
-  // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
+  // The plan must be for this scene: a smaller scene's plan would overrun its parts of the arena.
   if (plan.instance_bytes < instance_bytes(counts)) {
     return too_small(Purpose::instances, instance_bytes(counts), plan.instance_bytes);
   }

@@ -1,4 +1,5 @@
-// Everything about the caller's requests that could harm, before any stage runs: what no effect changes.
+// Checks the caller's requests before any stage runs, so that no stage accesses memory out of bounds. These checks do
+// not depend on effects.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +10,12 @@
 
 namespace zstrip::detail {
 
-/// Checks a request of begin_frame, for a renderer with `effects`; not the index arrays, which validate() has seen.
+/// Checks a request of begin_frame, for a renderer with `effects`. validate() has already checked the index arrays.
 Status check_request(const Scene& scene, const SceneCounts& counts, const Camera& camera, const View& view,
                      const Plan& plan, Effects called_for, Effects effects, std::span<std::byte> arena);
 /// Checks a request of draw_strip.
 Status check_strip(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels);
-/// Where the frame is one of samples, and `pixels` those of the display.
+/// Checks a request of draw_strip if the frame is one of samples and `pixels` are pixels of the display.
 Status check_strip_of_samples(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels);
 inline Status check_strip_number(const FrameState& frame, std::uint16_t strip) {
   if (frame.scene == nullptr) return {.error = Error::not_begun};
@@ -37,6 +38,6 @@ inline Status check_room(const Rect& area, PixelFormat format, std::span<const s
   return {};
 }
 
-/// Checks a request of draw_over: `area` lies in the picture, and has so many pixels and depths.
+/// Checks a request of draw_over: `area` must lie in the picture, and there must be enough pixels and depths.
 Status check_area(const FrameState& frame, const Rect& area, std::size_t pixels, std::size_t depths);
 }  // namespace zstrip::detail

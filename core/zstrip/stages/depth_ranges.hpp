@@ -1,5 +1,6 @@
-// Sub-ranges of the z-buffer's codes, so that not every strip needs a clear: each strip's codes are all greater, and so
-// nearer, than any that an earlier strip left in its cells. After the last sub-range the first begins with a clear.
+// Sub-ranges of the z-buffer's codes, so that few strips need a clear. All codes of a strip are greater, and so nearer,
+// than the codes that earlier strips left in its cells. The strip after the last sub-range is cleared and uses the
+// first one.
 #pragma once
 
 #include <algorithm>
@@ -9,26 +10,25 @@
 
 namespace zstrip::detail {
 
-/// State of the z-buffer's memory between strips: its first cells hold no code above the current sub-range.
-/// Rectangles move, but the cells of each are the first ones, so that a count is enough.
+/// The state of the z-buffer's memory between strips: its first `known_` cells hold no code above the current
+/// sub-range. Rectangles differ, but each uses the first cells, so that a count is enough.
 class DepthRanges {
  public:
   DepthRanges() = default;
-  /// A copy would be a second writer of the same cells: it starts without any.
+  /// A copy knows no cells: two objects would write the same memory without knowing of each other.
   DepthRanges(const DepthRanges&) {}
   DepthRanges& operator=(const DepthRanges& other) {
     if (this != &other) cells_ = nullptr;
     return *this;
   }
 
-  /// A frame's z-buffer lies at `cells`, with room for `room` of them. What lies elsewhere, or beyond, others may
-  /// write.
+  /// A frame's z-buffer lies at `cells`, with room for `room` cells. All other memory may be written by others.
   void begin_frame(const std::uint16_t* cells, std::uint32_t room) {
     known_ = cells == cells_ ? std::min(known_, room) : 0;
     cells_ = cells;
   }
 
-  /// The next strip has this many cells (> 0). Returns how many of them, the first ones, need no clear.
+  /// Begins a strip of `count` cells (> 0). Returns how many of them, from the first one on, need no clear.
   std::uint32_t next(std::uint32_t count) {
     if (++range_ >= kDepthRanges) range_ = known_ = 0;
     const std::uint32_t usable = std::min(known_, count);
@@ -36,7 +36,7 @@ class DepthRanges {
     return usable;
   }
 
-  /// The code that stands for a cleared cell: fragments have greater ones.
+  /// Returns the code that means cleared; fragments have greater codes.
   std::uint32_t cleared_code() const { return range_ * kDepthRangeCodes; }
 
  private:

@@ -1,4 +1,4 @@
-// Depth formats and sub-ranges: the mapping of a frame and the clear of a strip where they are not those of z16.
+// Sets the mapping of a frame and clears a strip for depth formats other than z16, and for sub-ranges.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct DepthStage {
            effects.has(effect::depth_ranges);
   }
 
-  /// The cells that sub-ranges may use, and the code that counts as cleared.
+  /// Sets the cells that sub-ranges may use, and the code that means cleared.
   template <Effects effects>
   static void begin(FrameState& frame) {
     if constexpr (effects.has(effect::depth_ranges)) {
@@ -28,7 +28,8 @@ struct DepthStage {
     }
   }
 
-  /// From that of z16, for which the frame has been prepared. Calls change(mapping) for what is not an instance.
+  /// Replaces the mapping of z16, for which the frame was prepared. Calls change(mapping) so that effects can update
+  /// data that is not in instances.
   template <Effects effects, class Change>
   static void change_mapping([[maybe_unused]] FrameState& frame, [[maybe_unused]] const Scene& scene,
                              [[maybe_unused]] const Change& change) {
@@ -42,7 +43,7 @@ struct DepthStage {
     }
   }
 
-  /// The z-buffer of the target, and the strip's pixels, which are those of `area`.
+  /// Clears the z-buffer of the target and the strip's pixels, which are those of `area`.
   template <Effects effects>
   static void clear(FrameState& frame, const StripTarget& target, const Rect& area, std::uint16_t* pixels) {
     if constexpr (has_own_clear(effects)) {
@@ -56,7 +57,7 @@ struct DepthStage {
   }
 
  private:
-  /// Cells of 32 bits, and sub-ranges, where the strip gets the next one and often no clear.
+  /// Clears 32-bit cells. With sub-ranges it gives the strip the next sub-range, which often needs no clear.
   template <Effects effects>
   static void clear_depth(FrameState& frame, const StripTarget& target) {
     const auto cells = static_cast<std::uint32_t>(target.area.width() * target.area.height());

@@ -1,4 +1,4 @@
-// The parts of a frame that no effect changes.
+// The parts of a frame that do not depend on effects.
 #include "zstrip/stages/frame_parts.hpp"
 
 #include <algorithm>

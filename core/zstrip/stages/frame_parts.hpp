@@ -1,4 +1,4 @@
-// The parts of a frame that no effect changes: its memory, its instances, its strips, and the target of a strip.
+// The parts of a frame that do not depend on effects: its memory, its instances, its strips, and the target of a strip.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace zstrip::detail {
 
-/// Nothing is drawn until the next frame that can begin.
+/// Ends the frame: nothing is drawn until a new frame has begun.
 inline void abandon(FrameState& frame) {
   frame.scene = nullptr;
   frame.next_to_last_strip = 0;
@@ -27,9 +27,9 @@ constexpr Status too_small(Purpose purpose, std::uint64_t needed, std::uint32_t 
           .available = available};
 }
 
-/// By frame.plan.
+/// Divides the arena as frame.plan says.
 void lay_out_arena(FrameState& frame, std::span<std::byte> arena);
-/// A plan that has been checked is the frame's then, the arena laid out, and nothing counted.
+/// Sets view and plan of the frame, which have been checked, lays out the arena and resets the statistics.
 inline void start(FrameState& frame, const View& view, const Plan& plan, std::span<std::byte> arena) {
   frame.view = view;
   frame.plan = plan;
@@ -38,12 +38,12 @@ inline void start(FrameState& frame, const View& view, const Plan& plan, std::sp
   lay_out_arena(frame, arena);
 }
 
-/// Prepares the frame before its instances. `counts`: of the scene that is drawn.
+/// Prepares the frame before its instances. `counts` are those of the drawn scene.
 void begin_instances(FrameState& frame, const SceneCounts& counts, const Camera& camera, const View& view,
                      const DepthFit& fit);
-/// Finds if a compiled instance can be seen, and extends the frame's bounds.
+/// Finds out if a compiled instance is visible, and extends the frame's bounds.
 void bound_instance(FrameState& frame, CompiledInstance& instance, const Camera& camera, const View& view);
-/// Compiles the instances, finds the frame's bounds.
+/// Compiles the instances and finds the frame's bounds.
 template <Effects effects>
 Status prepare_instances(FrameState& frame, const Scene& scene, const SceneCounts& counts, const Camera& camera,
                          const View& view, const DepthFit& fit) {
@@ -63,26 +63,27 @@ Status prepare_instances(FrameState& frame, const Scene& scene, const SceneCount
   }
   return {};
 }
-/// `box`: pixels of the picture, not empty.
+/// Extends the bounds by `box`, pixels of the picture, not empty.
 void extend_bounds(FrameState& frame, const Rect& box);
-/// Into strips, of the bounds that are now known.
+/// Divides the picture into strips, once the bounds are known.
 void divide(FrameState& frame, const SceneCounts& counts, const View& view);
 
 inline EffectBlock effect_block(const FrameState& frame) {
   return {reinterpret_cast<std::byte*>(frame.batches) + frame.plan.bin_bytes, frame.plan.effect_bytes};
 }
-/// Comes before any effect_block is asked.
+/// Call it before any use of the effect_block.
 template <Effects effects>
 void lay_out_effects([[maybe_unused]] const FrameState& frame, [[maybe_unused]] const Scene& scene,
                      [[maybe_unused]] Effects called_for) {
   if constexpr (MemoryOfEffects::has_any(effects)) effect_block(frame).lay_out(called_for, count(scene).instances);
 }
 
-/// `strip`: its pixels in the picture.
+/// Returns the target of a strip; `strip` is its rectangle in the picture.
 StripTarget target_of(FrameState& frame, Rect strip, std::uint16_t* pixels);
-/// `area`: pixels of the picture inside the frame's bounds. Where they and their depth lie is left to the caller.
+/// Returns the target for `area`, pixels of the picture inside the frame's bounds. The caller sets the addresses of
+/// pixels and depth.
 StripTarget target_at(FrameState& frame, const Rect& area);
-/// The z-buffer of the target, of 16-bit cells, and the strip's pixels.
+/// Clears the target's z-buffer of 16-bit cells, and the strip's pixels.
 void clear(const FrameState& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
            const StripTarget& target);
 

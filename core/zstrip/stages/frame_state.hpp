@@ -1,4 +1,4 @@
-// The data that a frame keeps between begin_frame and its strips. Stages read and write it; applications see a Frame.
+// The data of a frame between begin_frame and its strips. Stages read and write it; applications see a Frame.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,10 @@ namespace zstrip::detail {
 
 /// Refers to the caller's scene and arena. All members start as zeros, so that a static renderer takes no flash.
 struct FrameState {
-  const Scene* scene = nullptr;  ///< null: nothing is drawn until the next frame that can begin
+  const Scene* scene = nullptr;  ///< null: nothing is drawn until a new frame has begun
   View view{.samples = 0};
   Plan plan{};
-  Rect bounds{};  ///< what can be drawn into, in pixels of the picture
+  Rect bounds{};  ///< the rectangle that can be drawn into, in pixels of the picture
   Rect depth_area{};
   DepthFit fit{};
   RasterOrigin origin{};
@@ -42,13 +42,13 @@ struct FrameState {
   Statistics statistics{};
 };
 
-/// With effect::depth_ranges.
+/// The state with effect::depth_ranges.
 struct RangedFrameState : FrameState {
   DepthRanges ranges;
   std::uint32_t cleared_code = 0;
 };
 
-/// With a visibility method.
+/// The state with a visibility method.
 struct MethodFrameState : RangedFrameState {
   VisibilityOptions options;
   VisibilityStatistics counts;
@@ -58,14 +58,14 @@ struct MethodFrameState : RangedFrameState {
   std::byte* depth_bounds = nullptr;
 };
 
-/// The state that a renderer with these effects holds.
+/// The state of a renderer with these effects.
 template <Effects effects>
 using FrameStateFor =
     std::conditional_t<effects.methods != 0, MethodFrameState,
                        std::conditional_t<effects.has(effect::depth_ranges), RangedFrameState, FrameState>>;
 
-/// The error of a renderer without effect::supersampled for a view with several samples. The frame draws nothing
-/// until the next that can begin.
+/// Refuses a view with several samples in a renderer without effect::supersampled. Nothing is drawn until a new frame
+/// has begun.
 Status refuse_samples(FrameState& frame);
 
 }  // namespace zstrip::detail

@@ -1,4 +1,4 @@
-// The geometry stage: meshlets in drawing order, transformed, lit, and assigned to strips.
+// The geometry stage: transforms and lights meshlets in drawing order, and assigns them to strips.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@
 namespace zstrip::detail {
 
 struct GeometryStage {
-  /// Calls visit(number, instance index, meshlet index) in drawing order; numbers count the meshlets of all instances,
-  /// invisible ones too, but are called only for visible ones.
+  /// Calls visit(number, instance index, meshlet index) in drawing order for each visible meshlet. Numbers also count
+  /// the meshlets of invisible instances.
   template <Effects effects, class Visit>
   static void for_each_meshlet(const FrameState& frame, const Visit& visit) {
     std::uint32_t number = 0;
@@ -43,7 +43,7 @@ struct GeometryStage {
     }
   }
 
-  /// A meshlet with its vertices at vertices_[cache] on.
+  /// Returns the batch of a meshlet whose vertices begin at frame.vertices[cache].
   template <Effects effects>
   static Batch batch_of(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
                         std::uint32_t cache) {
@@ -62,7 +62,7 @@ struct GeometryStage {
     return mesh;
   }
 
-  /// Makes the batch of a meshlet, and prepares the data that only drawing needs.
+  /// Returns the batch of a meshlet, with the data that only drawing needs.
   template <Effects effects>
   static BatchOf<effects> batch_for(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
                                     std::uint32_t cache) {
@@ -74,7 +74,7 @@ struct GeometryStage {
     }
   }
 
-  /// False if some vertex needs the clipping path.
+  /// Transforms a meshlet's vertices. Returns false if some vertex needs the clipping path.
   template <Effects effects>
   static bool transform(FrameState& frame, const Batch& batch, const MeshletRange& range, std::uint32_t cache) {
     if constexpr (effects.has(effect::statistics)) frame.statistics.vertices += range.vertex_count;
@@ -89,7 +89,7 @@ struct GeometryStage {
                                                        range.vertex_count, frame.vertices + cache);
   }
 
-  /// Where it is a skin: its positions, and its normals where they say where vertices are, or are read later.
+  /// Moves the positions of a skin, and its normals if they move vertices (outlines) or are read later.
   template <Effects effects>
   static void move([[maybe_unused]] const Batch& batch, [[maybe_unused]] const MeshletRange& range) {
     if constexpr (effects.has(effect::skins)) {
@@ -117,7 +117,7 @@ struct GeometryStage {
     }
   }
 
-  /// Makes the second colours of vertices, those in shadow, which bins keep beside the colours of `shade`.
+  /// Computes the vertex colours in shadow, which bins keep next to the colours of `shade`.
   template <Effects effects>
   static void retain_shadow(FrameState& frame, const BatchOf<effects>& batch, const MeshletRange& range,
                             std::uint32_t cache) {
@@ -126,7 +126,7 @@ struct GeometryStage {
     }
   }
 
-  /// Which strips the front faces of each meshlet touch.
+  /// Finds the strips that the front faces of each meshlet touch.
   template <Effects effects>
   static void survey(FrameState& frame) {
     for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
@@ -151,7 +151,8 @@ struct GeometryStage {
     });
   }
 
-  /// Transforms everything once and writes each front face into the lists of its strips. False if they are too small.
+  /// Transforms all vertices once and writes each front face into the lists of its strips. Returns false if the memory
+  /// of the lists is too small.
   template <Effects effects>
   static bool fill_bins(FrameState& frame) {
     std::uint32_t retained = 0;
@@ -179,12 +180,12 @@ struct GeometryStage {
     return room;
   }
 
-  /// Into the lists of all strips of an extent.
+  /// Adds a triangle to the lists of all strips of an extent.
   static bool list(FrameState& frame, const Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
     return list_in(frame, frame.grid.strips_of_extent(extent), batch, triangle);
   }
-  /// Into the lists of all strips that hold pixels which a front face can cover. Inlined: where many pipelines share a
-  /// program, the compiler would make it a call for every triangle.
+  /// Adds a triangle to the lists of all strips with pixels that it can cover. Inlined, because the compiler would
+  /// otherwise call it for each triangle in programs with many pipelines.
   template <class Pixels>
   [[gnu::always_inline]] static bool list(FrameState& frame, const Pixels& covered, std::uint16_t batch,
                                           std::uint16_t triangle) {
@@ -195,7 +196,8 @@ struct GeometryStage {
     }
     return true;
   }
-  /// The front faces of a meshlet, by the way that is quickest for it. False if the lists are too small.
+  /// Lists the front faces of a meshlet in the fastest way for this meshlet. Returns false if the memory of the lists
+  /// is too small.
   template <Effects effects>
   static bool list_facing(FrameState& frame, const BatchOf<effects>& batch, const MeshletRange& range, bool all_narrow,
                           std::uint16_t number) {
@@ -220,7 +222,7 @@ struct GeometryStage {
           return list(frame, covered, number, index);
         });
   }
-  /// `strips`: columns and rows of strips.
+  /// `strips` has columns and rows of strips.
   static bool list_in(FrameState& frame, const Rect& strips, std::uint16_t batch, std::uint16_t triangle) {
     for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
       for (std::int32_t column = strips.left; column < strips.right; ++column) {

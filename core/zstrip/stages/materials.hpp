@@ -1,4 +1,4 @@
-// The parts of an instance's material for the raster stage: surface, depth settings, fragment settings.
+// Prepares an instance's material for the raster stage: surface, depth settings, fragment settings.
 #pragma once
 
 #include <algorithm>
@@ -66,7 +66,7 @@ struct Materials {
     return settings;
   }
 
-  /// Only with effect::texture_palettes or mipmaps.
+  /// Used only with effect::texture_palettes or mipmaps.
   template <Effects effects>
   static TexelStorage texel_storage(const FrameState& frame, const CompiledInstance& instance) {
     const Scene& scene = *frame.scene;
@@ -84,7 +84,7 @@ struct Materials {
     return {texture.format, texture.smaller_levels, only_effect};
   }
 
-  /// Only with effect::pixel_shading.
+  /// Used only with effect::pixel_shading.
   template <Effects effects>
   static PixelLightSettings pixel_light_settings(const FrameState& frame, const CompiledInstance& instance) {
     const Scene& scene = *frame.scene;
@@ -102,7 +102,7 @@ struct Materials {
     return settings;
   }
 
-  /// Calls draw(target), with what the method and the depth effects of this material add to it.
+  /// Calls draw(target). The target also has the data of the method and of this material's depth effects.
   template <Effects effects, class Draw>
   static void with_depth(FrameState& frame, const StripTarget& target, std::uint16_t material, const Draw& draw) {
     if constexpr (effects.methods != 0) {
@@ -115,7 +115,8 @@ struct Materials {
     }
   }
 
-  /// Calls draw(target), with what the method, the depth effects of this instance's material and its fragments add.
+  /// Calls draw(target). The target also has the data of the method, of the material's depth effects, and of the
+  /// instance's fragments.
   template <Effects effects, class Draw>
   static void with_settings(FrameState& frame, const StripTarget& target, const CompiledInstance& instance,
                             const Draw& draw) {

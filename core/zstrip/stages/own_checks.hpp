@@ -1,4 +1,4 @@
-// The checks that are not the same for all renderers: of projections, formats and methods.
+// The checks that depend on the renderer's projection, depth format and methods.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace zstrip::detail {
 
-/// Checks of a request that only some renderers need.
+/// Checks the parts of a request that only some renderers restrict.
 template <Effects effects>
 Status check_own_request(const FrameRequest& request) {
   [[maybe_unused]] const Plan& plan = request.plan;
   if constexpr (effects.has(effect::orthographic)) {
-    // A pipeline has one projection: this is the effect that must not be there without being called for.
+    // A pipeline has one projection: it must not have this effect unless the camera is orthographic.
     if (request.camera.projection != Projection::orthographic) return {.error = Error::effect_missing};
   }
   if constexpr (effects.has(effect::depth_ranges)) {
@@ -41,7 +41,7 @@ Status check_strip(const FrameState& frame, std::uint16_t strip, std::span<const
   return check_strip(frame, strip, pixels);
 }
 
-/// Other pixels have cells of 16 bits, and no method.
+/// draw_over works with 16-bit cells and without a method.
 constexpr bool can_draw_over(Effects effects) { return effects.methods == 0 && !DepthStage::has_own_clear(effects); }
 template <Effects effects>
 Status check_area(const FrameState& frame, const Rect& area, std::size_t pixels, std::size_t depths) {

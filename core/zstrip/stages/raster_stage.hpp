@@ -1,4 +1,4 @@
-// The raster stage of a strip: the triangles of the meshlets that touch it, or of its bin.
+// The raster stage of a strip: draws the triangles of the meshlets that touch it, or of its bin.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace zstrip::detail {
 
 struct RasterStage {
-  /// Which strips what touches: by the order of a method, by bins, or by the extents of meshlets.
+  /// Assigns geometry to strips: by the order of a method, by bins, or by the extents of meshlets.
   template <Effects effects>
   static Status assign_to_strips(FrameState& frame, [[maybe_unused]] const Camera& camera) {
     if constexpr (effects.has(effect::statistics)) frame.statistics.triangles = count(*frame.scene).triangles;
@@ -73,7 +73,7 @@ struct RasterStage {
     }
   }
 
-  /// A meshlet whose vertices are lit as faces need them.
+  /// Draws a meshlet whose vertices are lit only when a visible face needs them.
   template <Effects effects>
   static void draw_seen_faces(FrameState& frame, const StripTarget& target, const BatchOf<effects>& batch,
                               const MeshletRange& range) {
@@ -99,7 +99,7 @@ struct RasterStage {
           meshlet_range(frame.scene->meshes[frame.instances[retained.instance].mesh], retained.meshlet);
       const auto batch =
           GeometryStage::batch_for<effects>(frame, retained.instance, range.first_vertex, retained.first_vertex);
-      // Triangles that are clipped or lit by pixel read more than the cache has.
+      // Clipping and lighting by pixel read the mesh's moved vertices, not only the cache.
       if (!retained.all_narrow || effects.has(effect::pixel_shading)) GeometryStage::move<effects>(batch, range);
       Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, list, retained.all_narrow);
@@ -107,7 +107,8 @@ struct RasterStage {
     }
   }
 
-  /// Calls draw(target, strip) for the strips of the frame in `area`, over `pixels` and `depth`, which have no gaps.
+  /// Calls draw(target, strip) for the strips of the frame in `area`, with targets in `pixels` and `depth`, which have
+  /// no gaps.
   template <class Draw>
   static void for_each_part(FrameState& frame, const Rect& area, std::uint16_t* pixels, std::uint16_t* depth,
                             const Draw& draw) {
