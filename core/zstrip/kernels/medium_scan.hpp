@@ -1,4 +1,4 @@
-// Data of the kernels of medium triangles, for all implementations: the triangle, and the values that a scan of its
+// The data of the kernels of medium triangles, for all implementations: the triangle, and the values that a scan of its
 // rows steps.
 #pragma once
 
@@ -13,18 +13,19 @@
 
 namespace zstrip::detail {
 
-/// A narrow triangle, its first vertex the highest, then the leftmost.
+/// A narrow triangle whose first vertex is the highest; if several are, the leftmost of them.
 struct MediumTriangle {
   const StripTarget& target;
   const SnappedVertex &v0, &v1, &v2;
   std::int32_t area;  ///< twice the signed area, > 0
 };
 
-/// True if words of 32 bits suffice for the planes of a triangle, but for channels that change steeply: where the
-/// longer side of its box, of `width` and `height`, is its base it is a quarter of a pixel high, and its vertices'
-/// depths are within half of the range. For Thumb-1 it is an eighth high, and sides are below 512 pixels.
+/// True if words of 32 bits suffice for the planes of a triangle, except for channels that change steeply. On the
+/// longer side of its box (`width`, `height`) as base, the triangle must be at least a quarter of a pixel high, and the
+/// vertices' depths must be within half of the range. For Thumb-1 the height is an eighth, and sides must be below 512
+/// pixels.
 inline bool fits_words(const MediumTriangle& t, std::int32_t width, std::int32_t height) {
-  // Halves are compared, because differences of whole depths need 33 bits.
+  // Compares halves, because differences of whole depths need 33 bits.
   const auto near_first = [&t](const SnappedVertex& v) {
     return static_cast<std::int32_t>((t.v0.depth >> 1) - (v.depth >> 1) + (std::uint32_t{1} << 30));
   };
@@ -33,11 +34,12 @@ inline bool fits_words(const MediumTriangle& t, std::int32_t width, std::int32_t
          (near_first(t.v1) | near_first(t.v2)) >= 0;
 }
 
-/// The rows of a triangle, on their way down. The members stand where the assembly expects them.
+/// The rows of a triangle, from top to bottom. The assembly depends on the order of the members.
 struct MediumRows {
-  EdgeWalk left, right;        ///< at the next row, pixels from the anchor's column; remainders less the denominator
-  std::uint16_t* depth_row;    ///< of the next row, the anchor's column
-  std::uint16_t* colour_row;   ///< likewise
+  EdgeWalk left, right;        ///< the edges at the next row, in pixels from the anchor's column; the denominator is
+                               ///< subtracted from remainders
+  std::uint16_t* depth_row;    ///< the cell in the next row and the anchor's column
+  std::uint16_t* colour_row;   ///< the pixel in the next row and the anchor's column
   std::int32_t depth_stride;   ///< bytes
   std::int32_t colour_stride;  ///< bytes
 
@@ -65,34 +67,34 @@ struct MediumRows {
   }
 };
 
-/// Values that all planes of a triangle share in assembly, in the order of its registers.
+/// Values that all planes of a triangle share, in the order of the assembly's registers.
 struct SharedOfPlanes {
-  std::int32_t mantissa;                          ///< of 1 / area
+  std::int32_t mantissa;                          ///< mantissa of 1 / area
   std::int32_t down_2, right_2, down_1, right_1;  ///< shifted weights of vertices 2 and 1
   std::int32_t to_anchor_x, to_anchor_y;          ///< from vertex 0 to the anchor's centre, sub-pixels
 };
 
-/// All that scanning needs, in memory: set-up and scan are short only if neither holds the other's registers.
+/// All values of a scan, in memory: set-up and scan are short only if neither keeps the other's values in registers.
 struct MediumScan {
-  /// Whose planes: depth in 16.16 codes, channels in 8.16.
+  /// The values with planes: depth in 16.16 codes, channels in 8.16.
   enum Value { depth, red, green, blue };
-  MediumRows rows;            // The members stand where the assembly expects them.
-  std::uint32_t start[4];     ///< of each Value, where the rows are
-  std::uint32_t step_y[4];    ///< a row
-  std::uint32_t step_x[4];    ///< a pixel
-  std::uint16_t flat_colour;  ///< where there are no channels
+  MediumRows rows;            // The assembly depends on the order of the members.
+  std::uint32_t start[4];     ///< start of each Value at the current row
+  std::uint32_t step_y[4];    ///< step a row
+  std::uint32_t step_x[4];    ///< step a pixel
+  std::uint16_t flat_colour;  ///< used if there are no channels
   bool has_channels;
   std::int32_t area;                ///< twice the signed area
   std::int32_t anchor_x, anchor_y;  ///< a pixel near the triangle
-  Colour colours[3];                ///< of the vertices, where there are channels
-  SharedOfPlanes shared;            ///< for more planes than these
+  Colour colours[3];                ///< colours of the vertices, if there are channels
+  SharedOfPlanes shared;            ///< for further planes
 
   std::uint32_t at(Value value, std::int32_t column) const {
     return start[value] + step_x[value] * static_cast<std::uint32_t>(column);
   }
   void set_colours(const Colour* const* of_vertices) {
     for (int i = 0; i < 3; ++i) {
-      // Where a word must be aligned and a colour need not be, GCC calls memcpy for a whole one.
+      // GCC would call memcpy to copy a colour, which need not be aligned, if words must be aligned.
       if constexpr (kHasThumb1) {
         colours[i].r = of_vertices[i]->r, colours[i].g = of_vertices[i]->g, colours[i].b = of_vertices[i]->b;
       } else {

@@ -1,8 +1,8 @@
-// Kernel: textured triangles of at most 16 pixels between their sides, instead of their spans. Each row is one run of
+// Kernel: draws textured triangles that are at most 16 pixels wide, instead of their spans. Each row is one run of
 // texels, and all planes fit words of 32 bits.
 //
-// Vertices are as those of medium_triangle.hpp. An implementation writes what the span rasteriser writes, bit by bit.
-// With the depth test of z16 and nothing to count.
+// Vertices are as in medium_triangle.hpp. Every implementation writes the same bits as the span rasteriser. Only for
+// the depth test of z16, without counting.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +15,23 @@
 
 namespace zstrip::detail {
 
-/// Planes of 64 bits, as spans have them, are what a small textured triangle takes longest for. Not for the least
-/// flash.
+/// The 64-bit planes of spans take most of the time of a small textured triangle. Left out with -Os.
 inline constexpr bool kHasMediumTextured = !kForSize;
 
-/// Values of a vertex for texels.
+/// The values of a vertex that texels depend on.
 struct TexturedVertex {
   std::uint32_t depth;  ///< 16.16 codes
   std::int32_t u, v;    ///< texels, 16.16
 };
 
-/// The texture of a medium triangle, and its light.
+/// The texture and the light of a medium triangle.
 struct MediumTexture {
   const TexturedVertex* const (&vertices)[3];
-  const Colour* const (&colours)[3];  ///< not read where nothing lights the texels; of the first where light is flat
+  const Colour* const (&colours)[3];  ///< not read if texels are unlit; only the first one is read with flat light
   const Surface& surface;
 };
 
-/// Draws a triangle, or returns false: it is left to its spans. `affine`: nothing is divided by w.
+/// Draws a triangle, or returns false and leaves it to its spans. `affine`: coordinates are not divided by w.
 template <TexelLight lit, bool affine>
 bool draw_medium_textured(const MediumTriangle& triangle, const MediumTexture& surface);
 

@@ -1,8 +1,9 @@
-// Kernel: triangles of some dozen pixels a side, of one colour or of interpolated ones, instead of their spans.
+// Kernel: draws triangles of some dozen pixels a side, with one colour or with interpolated colours, instead of their
+// spans.
 //
-// Vertices are narrow 12.4 raster coordinates and 16.16 depth codes, the first one the highest, then the leftmost;
-// colours are 8 bits a channel. An implementation writes what the span rasteriser (raster/span_triangle.hpp), which is
-// the portable one, writes, bit by bit. With the depth test of z16 and nothing to count.
+// Vertices are narrow 12.4 raster coordinates and 16.16 depth codes. The first one is the highest; if several are, the
+// leftmost of them. Colours are 8 bits a channel. Every implementation writes the same bits as the portable one, the
+// span rasteriser (raster/span_triangle.hpp). Only for the depth test of z16, without counting.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +19,12 @@
 
 namespace zstrip::detail {
 
-/// Where words have 32 bits a plane of 64 is what a triangle takes longest for; vectors have eight pixels at once. Not
-/// for the least flash.
+/// On processors with 32-bit words the 64-bit planes take most of a triangle's time; vectors draw eight pixels at once.
+/// Left out with -Os.
 inline constexpr bool kHasMediumTriangles = kHasVectors || (sizeof(void*) == 4 && !kForSize);
 
-/// The planes of a triangle that fits_words, by the scan's area, anchor and colours. False: a channel is too steep.
+/// Sets up the planes of a triangle for which fits_words is true, from the scan's area, anchor and colours. Returns
+/// false if a channel is too steep.
 inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2) {
   if constexpr (kHasThumb2) {
     return set_up_medium_thumb(scan, v0, v1, v2);
@@ -33,7 +35,8 @@ inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const Snapp
   }
 }
 
-/// Draws a triangle, or returns false: it is left to its spans. `colours` of the three vertices where `gouraud`.
+/// Draws a triangle, or returns false and leaves it to its spans. `colours` are those of the three vertices if
+/// `gouraud`.
 template <bool gouraud>
 bool draw_medium(const MediumTriangle& triangle, const Colour* const (&colours)[3], std::uint16_t flat_colour) {
   if constexpr (kHasVectors) {

@@ -1,9 +1,9 @@
-// Which implementations of kernels the processor at hand takes instead of the portable ones: vectors, of SSE2 on every
-// x86-64 and of NEON on every AArch64, on x86 and Armv7-A where they are enabled; assembly for Thumb-2 (Cortex-M3, M4,
-// M7, M33, M55) and Thumb-1 (Cortex-M0, M0+), not for the Cortex-M23, which no emulator here has.
+// Selects the implementations of kernels for the processor. Vectors: SSE2 on every x86-64, NEON on every AArch64, both
+// also on x86 and Armv7-A if they are enabled. Assembly: Thumb-2 (Cortex-M3, M4, M7, M33, M55) and Thumb-1 (Cortex-M0,
+// M0+), but not the Cortex-M23, for which there is no emulator here.
 #pragma once
 
-// Macros, because neither compiler nor assembler must see what they do not support.
+// These are macros, because neither the compiler nor the assembler may see code that it does not support.
 #if defined(__SSE2__)
 #define ZSTRIP_HAS_SSE2 1
 #else
@@ -27,14 +27,14 @@
 #define ZSTRIP_HAS_THUMB1 0
 #endif
 
-// Before a function that is not to be inlined where products of 64 bits are calls: half a kilobyte each time.
+// Prevents inlining on processors that call a function for 64-bit products: each copy would take half a kilobyte.
 #if ZSTRIP_HAS_THUMB1
 #define ZSTRIP_CALLED_ON_THUMB1 [[gnu::noinline]]
 #else
 #define ZSTRIP_CALLED_ON_THUMB1
 #endif
 
-// Without the instruction that counts leading zeros of a word they take a function of some fifteen.
+// Processors without an instruction that counts leading zeros call a function of some fifteen instructions.
 #if ZSTRIP_HAS_THUMB1 || (defined(__riscv) && !defined(__riscv_zbb))
 #define ZSTRIP_COUNTS_ZEROS 0
 #else
@@ -49,11 +49,12 @@
 
 namespace zstrip::detail {
 
-inline constexpr bool kForSize = ZSTRIP_FOR_SIZE == 1;  ///< second ways to draw, that are only quicker, are no code
+inline constexpr bool kForSize = ZSTRIP_FOR_SIZE == 1;  ///< with -Os the specialised rasterisers are left out; the
+                                                        ///< generic path draws the same pixels
 inline constexpr bool kHasVectors = ZSTRIP_HAS_VECTORS;
 inline constexpr bool kHasThumb1 = ZSTRIP_HAS_THUMB1 == 1;
 inline constexpr bool kHasThumb2 = ZSTRIP_HAS_THUMB2 == 1;
 inline constexpr bool kCountsZeros = ZSTRIP_COUNTS_ZEROS == 1;
-inline constexpr bool kHasThumb = kHasThumb1 || kHasThumb2;  ///< every kernel in assembly is there for both
+inline constexpr bool kHasThumb = kHasThumb1 || kHasThumb2;  ///< every kernel in assembly exists for both
 
 }  // namespace zstrip::detail

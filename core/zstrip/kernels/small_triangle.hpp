@@ -1,8 +1,8 @@
-// Kernel: triangles of a few pixels, from narrow vertices to depth and colour. Which ones: is_small.
+// Kernel: draws triangles of a few pixels (see is_small), from narrow vertices to depth and colour.
 //
-// Vertices are 12.4 raster coordinates and 16.16 depth codes; colours are 8 bits a channel. The cells and pixels are
-// those of the span rasteriser; every implementation writes what portable/small_triangle.hpp writes, bit by bit.
-// Thumb-1 has interpolated colours, Thumb-2 and vectors all; with the depth test of z16 and nothing to count.
+// Vertices are 12.4 raster coordinates and 16.16 depth codes; colours are 8 bits a channel. Cells and pixels are the
+// same as from the span rasteriser; every implementation writes the same bits as portable/small_triangle.hpp. Thumb-1
+// supports interpolated colours, Thumb-2 and vectors all colours; only for the depth test of z16, without counting.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@
 
 namespace zstrip::detail {
 
-/// Planes of edges, depth (16.16) and, where `gouraud`, colours (8.8), from the scan's area and anchor: its `start`,
-/// `step_x` and `step_y`. Assembly reads the colours of the scan, into which they are copied.
+/// Sets up the planes of edges, depth (16.16) and, if `gouraud`, colours (8.8) from the scan's area and anchor: its
+/// `start`, `step_x` and `step_y`. Colours are copied into the scan for the assembly.
 template <bool gouraud, bool statistics>
 [[gnu::always_inline]] inline void set_up_small(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
                                                 const SnappedVertex& v2, const Colour* const (&colours)[3]) {
@@ -34,7 +34,7 @@ template <bool gouraud, bool statistics>
   }
 }
 
-/// The pixels of a scan that is set up. May move its starts and rows.
+/// Draws the pixels of a scan after set-up. May change its starts and rows.
 template <bool gouraud, bool statistics, class Rule>
 [[gnu::always_inline]] inline void scan_small(SmallScan& scan, const Rule& rule) {
   constexpr bool kHasRule = !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>;
@@ -60,10 +60,10 @@ struct SmallStages {
   }
 };
 
-/// `area` is twice the signed area, > 0; `anchor_x`, `anchor_y` the first pixel of the triangle's whole box: all values
-/// start there, so that no rounding depends on the strip; `box` the pixels to scan, not empty, inside the target's
-/// area. `colours` of the three vertices where `gouraud`, else none. Inlined, because a call of its own would pass all
-/// of it through memory.
+/// Draws a small triangle. `area` is twice the signed area, > 0. `anchor_x`, `anchor_y`: the first pixel of the
+/// triangle's whole box, where all values start, so that no rounding depends on the strip. `box`: the pixels to scan,
+/// not empty, inside the target's area. `colours`: those of the three vertices if `gouraud`. Inlined, because a call
+/// would pass all arguments through memory.
 template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
 [[gnu::always_inline]] inline void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0,
                                                        const SnappedVertex& v1, const SnappedVertex& v2,

@@ -1,8 +1,8 @@
-// Kernel: spans of one colour and of interpolated colours, pixels of one row that a triangle covers.
+// Kernel: draws spans, the pixels of one row that a triangle covers, with one colour or with interpolated colours.
 //
-// Depth is what the rule steps, with z16 16.16 codes; colours are 8.16, which stay within 0 .. 255 over the span; all
-// steps are modulo 2^32. Every implementation writes what portable/span.hpp writes, bit by bit, and nothing beside the
-// span. Vectors have the depth test of z16, with nothing to count.
+// Depth is the value that the rule steps, 16.16 codes with z16. Colours are 8.16 and stay within 0 .. 255 over the
+// span; all steps are modulo 2^32. Every implementation writes the same bits as portable/span.hpp, and nothing outside
+// the span. Vectors support only the depth test of z16, without counting.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace zstrip::detail {
 
-/// `span.length` > 0.
+/// Draws a span with one colour; `span.length` > 0.
 template <bool statistics, class DepthPlane, class Rule>
 void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule, std::uint16_t colour,
                Statistics* counters) {
@@ -27,7 +27,7 @@ void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, c
   }
 }
 
-/// As fill_flat, with a colour that varies.
+/// Draws a span with a colour that varies; `span.length` > 0.
 template <bool statistics, class DepthPlane, class Rule>
 void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                   const ColourPlanes& planes, Statistics* counters) {

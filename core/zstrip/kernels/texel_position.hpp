@@ -1,5 +1,5 @@
-// Kernel: the division of texture coordinates by w. Without long products a function of its own; its implementation
-// gives what TextureCoordinates<false>::position does in C++, bit by bit.
+// Kernel: divides texture coordinates by w. Used on processors without long products; the result has the same bits as
+// that of TextureCoordinates<false>::position in C++.
 #pragma once
 
 #include "zstrip/kernels/processor.hpp"

@@ -1,9 +1,10 @@
-// Kernel: runs of texels, the pixels of a span between two exact texture positions.
+// Kernel: draws runs of texels, the pixels of a span between two exact texture positions.
 //
-// Texture coordinates are 0.32 of the texture, so that they wrap; exact positions 16.16 texels, modulo 2^16 texels;
-// u/w and v/w have 29 bits and a sign, 1/w has 29 bits. Depth is what the rule steps, with z16 16.16 codes. Every
-// implementation writes what portable/textured_run.hpp writes, bit by bit, and nothing beside the run. Assembly and
-// vectors have no light, vectors and Thumb-2 also a flat one, the depth test of z16 and nothing to count.
+// Texture coordinates are 0.32 of the texture, so that they wrap; exact positions are 16.16 texels, modulo 2^16 texels;
+// u/w and v/w have 29 bits and a sign, 1/w has 29 bits. Depth is the value that the rule steps, 16.16 codes with z16.
+// Every implementation writes the same bits as portable/textured_run.hpp, and nothing outside the run. Assembly and
+// vectors draw unlit texels, vectors and Thumb-2 also texels with flat light; only for the depth test of z16, without
+// counting.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@
 
 namespace zstrip::detail {
 
-/// Which implementation a TexturedRun of these has, if not the portable one.
+/// True for the implementation that a TexturedRun with these arguments has, if it is not the portable one.
 template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasThumbRuns =
     kHasThumb&& lit == TexelLight::none && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
@@ -33,7 +34,7 @@ template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasVectorRuns =
     kHasVectors&& lit != TexelLight::smooth && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
 
-/// True if there is fill_runs.
+/// True if fill_runs exists for these arguments.
 template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasWholeRuns =
     kHasThumbRuns<lit, statistics, Value, Rule> || kHasVectorRuns<lit, statistics, Value, Rule>;
@@ -45,8 +46,8 @@ bool knows_texture([[maybe_unused]] const TexturedRun<lit, statistics, Value, Ru
   return kHasWholeRuns<lit, statistics, Value, Rule>;
 }
 
-/// Fills `count` > 0 whole runs of kPerspectiveRun pixels, of a run whose texture is known. Moves z, the place and the
-/// exact position behind them.
+/// Fills `count` > 0 whole runs of kPerspectiveRun pixels, of a run for which knows_texture is true. Moves z, the place
+/// and the exact position to their end.
 template <TexelLight lit, bool statistics, class Value, class Rule>
 void fill_runs(TexturedRun<lit, statistics, Value, Rule, TexturedRunsState>& run, std::uint16_t* depth,
                std::uint16_t* pixel, std::uint32_t count) {
@@ -59,8 +60,8 @@ void fill_runs(TexturedRun<lit, statistics, Value, Rule, TexturedRunsState>& run
   }
 }
 
-/// Fills `length` pixels, 1 .. 2^20. Moves z to the first pixel behind the run. `known`: knows_texture. `light` is read
-/// only where it is smooth.
+/// Fills `length` pixels, 1 .. 2^20. Moves z to the first pixel after the run. `known` is the result of knows_texture.
+/// `light` is read only if the light is smooth.
 template <TexelLight lit, bool statistics, class Value, class Rule, class State>
 [[gnu::always_inline]] inline void fill_run(TexturedRun<lit, statistics, Value, Rule, State>& run,
                                             [[maybe_unused]] bool known, typename Rule::Cell* depth,

@@ -1,4 +1,4 @@
-// Data that set-up and rows of medium textured triangles share.
+// The data that set-up and rows of medium textured triangles share.
 #pragma once
 
 #include <cstdint>
@@ -8,26 +8,27 @@
 
 namespace zstrip::detail {
 
-/// All that rows need but their run, in memory: set-up and rows are short only if neither holds the other's registers.
+/// All values of the rows except their run, in memory: set-up and rows are short only if neither keeps the other's
+/// values in registers.
 struct TexturedScan {
-  /// Whose planes, beside depth and light, which are those of `scan`: TextureCoordinates'. Without perspective there is
-  /// no 1/w.
+  /// The values with planes, in addition to depth and light in `scan`: those of TextureCoordinates. Without perspective
+  /// one_over_w is unused.
   enum Value { one_over_w, u_over_w, v_over_w };
 
-  // The members stand where the assembly expects them.
-  MediumScan scan;                             ///< its starts are at the anchor, too
-  std::uint32_t start[3];                      ///< of each Value at the anchor
-  std::uint32_t step_y[3];                     ///< a row
-  std::uint32_t step_x[3];                     ///< a pixel
-  std::int32_t base_u, base_v;                 ///< TextureCoordinates'
-  std::uint32_t to_fraction_u, to_fraction_v;  ///< TextureAxis'
-  std::int32_t right_shift;                    ///< after the division by w, for a 1/w that is normalised by 0
-  std::int32_t row;                            ///< the next one, from the anchor's
+  // The assembly depends on the order of the members.
+  MediumScan scan;                             ///< its starts are also at the anchor
+  std::uint32_t start[3];                      ///< start of each Value at the anchor
+  std::uint32_t step_y[3];                     ///< step a row
+  std::uint32_t step_x[3];                     ///< step a pixel
+  std::int32_t base_u, base_v;                 ///< from TextureCoordinates
+  std::uint32_t to_fraction_u, to_fraction_v;  ///< from TextureAxis
+  std::int32_t right_shift;                    ///< shift after the division by w, for a 1/w with normalisation 0
+  std::int32_t row;                            ///< the next row, counted from the anchor's
 
   void set(Value value, const Plane& plane) {
     start[value] = plane.start, step_y[value] = plane.step_y, step_x[value] = plane.step_x;
   }
-  /// In the next row.
+  /// Returns a value in the next row.
   std::uint32_t at(Value value, std::int32_t column) const {
     return Plane{start[value], step_x[value], step_y[value]}.at(column, row);
   }

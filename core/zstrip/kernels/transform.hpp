@@ -1,9 +1,9 @@
 // Kernel: transforms the vertices of a meshlet into the post-transform cache, each once.
 //
-// Positions have 16 bits a coordinate; the instance's linear forms are 32-bit words, of whose products the upper one
-// counts. Results are 12.4 raster coordinates and 16.16 depth codes, or kNotNarrow and 0. No sum of a form overflows.
-// Every implementation writes what portable/transform.hpp writes, bit by bit. Assembly and vectors have
-// perspective and z16; vectors take four vertices or more of instances that fits_vector accepts.
+// Positions have 16 bits a coordinate; the instance's linear forms are 32-bit words, of whose products the upper word
+// is used. Results are 12.4 raster coordinates and 16.16 depth codes, or kNotNarrow and 0. No sum of a form overflows.
+// Every implementation writes the same bits as portable/transform.hpp. Assembly and vectors support perspective and
+// z16; vectors need at least four vertices, and an instance for which fits_vector is true.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 
 namespace zstrip::detail {
 
-/// Cannot be inlined: the rasterisers need the stack that it takes.
+/// Not inlined, so that its stack is free again for the rasterisers.
 [[gnu::noinline]] inline bool transform_vertices_in_assembly(const CompiledInstance& instance, const Mesh& mesh,
                                                              const RasterOrigin& origin, std::uint32_t first,
                                                              std::uint32_t count, SnappedVertex* vertices) {
@@ -33,8 +33,8 @@ namespace zstrip::detail {
   }
 }
 
-/// Writes `count` vertices from `first` on. Returns whether all of them are narrow, so that the loop over the
-/// triangles need no test.
+/// Writes `count` vertices from `first` on. Returns true if all are narrow, so that the loop over the triangles need
+/// not test them.
 template <Effects effects>
 bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {

@@ -1,4 +1,4 @@
-// Front faces into the lists of their strips, in C++.
+// Adds front faces to the lists of their strips, in C++.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 
 namespace zstrip::detail {
 
-/// Values that the triangles of a meshlet share, where the assembly expects them.
+/// Values that the triangles of a meshlet share. The assembly depends on the order of the members.
 struct FaceLists {
-  std::int32_t for_top, for_bottom;  ///< to be added to y: StripGrid::VertexRows::centre_y, and that less a pixel
+  std::int32_t for_top, for_bottom;  ///< are added to y: StripGrid::VertexRows::centre_y, and centre_y minus a pixel
   std::uint32_t inverse;
   std::int32_t strips;
   BinList* lists;
   std::uint16_t* slots;
   std::uint32_t batch;
   Bins* bins;
-  std::uintptr_t vertices;  ///< where the mesh's vertex 0 would be: the cache has a run of them
-  std::uint32_t last = 0;   ///< triangle, for the assembly
+  std::uintptr_t vertices;  ///< the address of the mesh's vertex 0, although the cache holds only a run of vertices
+  std::uint32_t last = 0;   ///< the last triangle; used by the assembly
   std::int32_t end;
 
   FaceLists(Bins& in, const StripGrid::VertexRows& rows, std::uint16_t number, const SnappedVertex* first_of_vertices,
@@ -38,16 +38,16 @@ struct FaceLists {
         end(rows.end) {}
 };
 
-/// list_faces in C++.
+/// Implements list_faces in C++.
 inline bool list_faces_portable(FaceLists& faces, const Triangle* triangles, std::uint32_t count) {
-  Bins bins = *faces.bins;  // a copy has registers
+  Bins bins = *faces.bins;  // the members of a copy can stay in registers
   const std::uintptr_t vertices = faces.vertices;
   const auto vertex = [vertices](std::uint32_t index) -> const SnappedVertex& {
     return *reinterpret_cast<const SnappedVertex*>(  // NOLINT(performance-no-int-to-ptr)
         vertices + index * sizeof(SnappedVertex));
   };
   const std::int32_t for_top = faces.for_top, for_bottom = faces.for_bottom, end = faces.end;
-  // Halves are multiplied, because y has 16 bits: some processors have no long product.
+  // Multiplies halves, which suffices because y has 16 bits: some processors have no long product.
   const std::uint32_t inverse_high = faces.inverse >> 16, inverse_low = faces.inverse & 0xFFFF;
   const auto strip_at = [inverse_high, inverse_low](std::int32_t y) {
     const auto positive = static_cast<std::uint32_t>(y);

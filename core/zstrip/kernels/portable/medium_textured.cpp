@@ -1,4 +1,4 @@
-// A medium textured triangle: planes in words of 32 bits, then its rows, one run of texels each.
+// Draws a medium textured triangle: planes in words of 32 bits, then its rows, one run of texels each.
 #include "zstrip/kernels/medium_textured.hpp"
 
 #include <algorithm>
@@ -16,7 +16,8 @@
 namespace zstrip::detail {
 namespace {
 
-/// The three planes of texture coordinates call one function, which is more than some multiplications.
+/// The planes of texture coordinates, whose function is called three times: inlined, it would be three copies of some
+/// multiplications.
 class CalledPlanes : public MediumPlanes {
  public:
   using MediumPlanes::MediumPlanes;
@@ -27,7 +28,7 @@ class CalledPlanes : public MediumPlanes {
 using WordPlanes = std::conditional_t<kMultipliesLonger, MediumPlanes, CalledPlanes>;
 using TexturePlanes = std::conditional_t<kHasThumb1, ThumbPlanes, WordPlanes>;
 
-/// Planes of texture coordinates that fit words.
+/// Sets up the planes of texture coordinates that fit words.
 template <bool affine, class Planes>
 [[gnu::noinline]] void set_up_coordinates(TexturedScan& textured, const Planes& planes, const MediumTexture& textures) {
   if constexpr (std::is_same_v<Planes, ThumbPlanes> && !affine) {
@@ -37,7 +38,7 @@ template <bool affine, class Planes>
   }
 }
 
-/// All planes, by the scan's area, anchor and colours. False: a channel is too steep.
+/// Sets up all planes from the scan's area, anchor and colours. Returns false if a channel is too steep.
 template <bool affine>
 bool set_up_planes(TexturedScan& textured, const MediumTriangle& t, const MediumTexture& textures) {
   MediumScan& scan = textured.scan;
@@ -60,7 +61,7 @@ using DepthTest = DepthRule<DepthMode{}>;
 template <TexelLight lit>
 using Run = TexturedRun<lit, false, std::uint32_t, DepthTest>;
 
-/// As TexturedRun::fill, for rows of a few pixels: what that keeps for the next run is not stored.
+/// Does the work of TexturedRun::fill for rows of a few pixels, without storing the values that a next run would need.
 [[gnu::always_inline]] inline void fill_smooth(const Run<TexelLight::smooth>& run, const MediumScan& scan,
                                                std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length) {
   std::uint32_t z = run.z, u = run.u, v = run.v, r = run.r, g = run.g, b = run.b;
@@ -75,7 +76,7 @@ using Run = TexturedRun<lit, false, std::uint32_t, DepthTest>;
   }
 }
 
-/// Inlined, or a processor with enough registers keeps them in memory meanwhile.
+/// Inlined, so that a processor with enough registers keeps them across the division.
 template <bool affine>
 [[gnu::always_inline]] inline TexelPosition position_at(const TexturedScan& textured, std::int32_t column) {
   using Coordinates = TextureCoordinates<affine>;
@@ -85,7 +86,7 @@ template <bool affine>
   return Coordinates::position(place, textured.base_u, textured.base_v, textured.right_shift);
 }
 
-/// `length` > 0 pixels of the next row from `column` on, counted from the anchor's.
+/// Draws `length` > 0 pixels of the next row, from `column` on, counted from the anchor's column.
 template <TexelLight lit, bool affine>
 void draw_row(const TexturedScan& textured, Run<lit>& run, std::int32_t column, std::int32_t length) {
   const TexelPosition from = position_at<affine>(textured, column);
@@ -114,7 +115,7 @@ void draw_row(const TexturedScan& textured, Run<lit>& run, std::int32_t column, 
   }
 }
 
-/// `count` > 0 rows. Not inlined: it needs all registers.
+/// Draws `count` > 0 rows. Not inlined: it needs all registers.
 template <TexelLight lit, bool affine>
 [[gnu::noinline]] void scan_textured_rows(TexturedScan& textured, Run<lit>& run, std::int32_t count) {
   MediumScan& scan = textured.scan;
@@ -126,14 +127,14 @@ template <TexelLight lit, bool affine>
   } while (--count != 0);
 }
 
-/// The rows that are left.
+/// The rows that are still to be drawn.
 struct RowsLeft : TriangleRows {
   MediumRows& edges;
-  std::int32_t count;  ///< that the part has left from `row` on
+  std::int32_t count;  ///< remaining rows of the current part, from `row` on
 
   explicit RowsLeft(MediumRows& of_scan) : edges(of_scan) {}
 
-  /// False: the triangle is left to its spans.
+  /// Returns false if the triangle must be left to its spans.
   [[gnu::noinline]] bool begin(const MediumTriangle& t) {
     bound(t);
     if (right - anchor_x > kPerspectiveRun || !lies_in(t.target.area)) return false;
@@ -142,14 +143,14 @@ struct RowsLeft : TriangleRows {
     return true;
   }
 
-  /// Returns true if there are any: rows of the second part follow those of the first one.
+  /// Returns true if rows remain. Goes to the second part after the first one.
   bool has_more(const MediumTriangle& t) {
     if (row >= end) return false;
     if (count <= 0) begin_second(edges, t), count = end - row;
     return true;
   }
 
-  /// Returns true if a row has pixels; goes down to it.
+  /// Goes down to the next row with pixels. Returns false if there is none.
   bool has_pixels(const MediumTriangle& t) {
     while (has_more(t)) {
       for (; count != 0; ++row, --count) {
@@ -163,12 +164,12 @@ struct RowsLeft : TriangleRows {
 
 enum class Prepared : std::uint8_t { nothing, rows, left_to_spans };
 
-/// The part that all lights share, so that there is one copy of its code.
+/// The set-up for all kinds of light, so that its code exists once.
 template <bool affine>
 [[gnu::noinline]] Prepared begin_textured(TexturedScan& textured, RowsLeft& rows, LitWordRunState& run, TexelLight lit,
                                           const MediumTriangle& t, const MediumTexture& textures) {
   if (!rows.begin(t)) return Prepared::left_to_spans;
-  // Planes are most of the work, and many a triangle covers no pixel.
+  // Tests for pixels first: planes are most of the work, and many triangles cover no pixel.
   if (!rows.has_pixels(t)) return Prepared::nothing;
   if (!fits_words(t, rows.width, rows.height) ||
       !TextureCoordinates<affine>::fits_words(textures.vertices, textures.surface.depth_offset,

@@ -1,4 +1,4 @@
-// A medium triangle: its planes, then its rows down to the middle vertex, and from there on.
+// Draws a medium triangle: its planes, its rows down to the middle vertex, then the other rows.
 #include "zstrip/kernels/portable/medium_triangle.hpp"
 
 #include <cstdint>
@@ -22,7 +22,7 @@ void scan_rows(MediumScan& scan, std::int32_t count) {
   }
 }
 
-/// `t` is a copy, whose references can stay in registers.
+/// `t` is a copy, so that its references can stay in registers.
 template <bool gouraud>
 bool draw(const MediumTriangle t, [[maybe_unused]] const Colour* const* colours,
           [[maybe_unused]] std::uint16_t flat_colour) {

@@ -1,4 +1,5 @@
-// Medium triangles in C++, for processors of 32 bits: planes by exact products of words, then rows between two edges.
+// Draws medium triangles in C++ on processors of 32 bits: planes by exact products of words, then rows between two
+// edges.
 #pragma once
 
 #include <bit>
@@ -13,17 +14,17 @@
 
 namespace zstrip::detail {
 
-/// draw_medium in C++.
+/// These implement draw_medium in C++.
 bool draw_medium_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
 bool draw_medium_flat_portable(const MediumTriangle& triangle, std::uint16_t colour);
 
-/// The edge from one vertex down to another, at a row, for MediumRows.
+/// Sets the edge from one vertex down to another, at a row, for MediumRows.
 [[gnu::noinline]] void set_medium_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to,
                                        std::int32_t row, std::int32_t anchor_x);
 
-/// The planes of a medium triangle: those of PlaneSetup, bit by bit. There a step is
-/// floor(along * mantissa / 2^(50 - zeros)), in units of 2^-24 for channels and depths of 16 fraction bits; here the
-/// power of two is a constant, because the triangle's sides are shifted by the zeros first.
+/// The planes of a medium triangle, with the same bits as from PlaneSetup. There a step is floor(along * mantissa /
+/// 2^(50 - zeros)), in units of 2^-24 for channels and depths of 16 fraction bits. Here the power of two is a constant,
+/// because the triangle's sides are first shifted by the zeros.
 class MediumPlanes {
  public:
   using Value = std::int32_t;
@@ -32,7 +33,7 @@ class MediumPlanes {
                std::int32_t anchor_x, std::int32_t anchor_y) {
     const int zeros = std::countl_zero(static_cast<std::uint32_t>(area));
     mantissa_ = of_any_sign(reciprocal(static_cast<std::uint32_t>(area) << zeros));
-    // A side is at most area / 2^2 < 2^(30 - zeros): with these shifts 23 bits.
+    // A side is at most area / 2^2 < 2^(30 - zeros): 23 bits after the shift.
     const int shift = zeros - 7;
     dx1_ = (v2.x - v0.x) * (1 << shift), dy1_ = (v0.y - v2.y) * (1 << shift);
     dx2_ = (v0.x - v1.x) * (1 << shift), dy2_ = (v1.y - v0.y) * (1 << shift);
@@ -40,7 +41,7 @@ class MediumPlanes {
     offset_y_ = anchor_y * 16 + kPixelCentre - v0.y;
   }
 
-  /// Not the plane, if the channel changes by 128 a pixel: see has_steep().
+  /// Returns a channel's plane, or a wrong one if the channel changes by 128 a pixel: see has_steep().
   Plane channel(std::int32_t c0, std::int32_t c1, std::int32_t c2) {
     const std::int32_t d1 = c1 - c0, d2 = c2 - c0;
     // 8 + 23 bits.
@@ -51,7 +52,7 @@ class MediumPlanes {
     };
     const std::int32_t step_x = step(d1 * dy1_ + d2 * dy2_);
     const std::int32_t step_y = step(d1 * dx1_ + d2 * dx2_);
-    // Without the 8 extra bits, to nearest.
+    // Drops the 8 extra bits, rounded to nearest.
     const auto rounded = [](std::int32_t value) {
       return static_cast<std::uint32_t>((value >> 8) + ((value >> 7) & 1));
     };
@@ -68,7 +69,7 @@ class MediumPlanes {
                  static_cast<std::int32_t>(depth_2 - depth_0));
   }
 
-  /// As PlaneSetup::plane().
+  /// Computes the same plane as PlaneSetup::plane().
   Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
     // 31 + 23 bits, twice; a step has up to 41.
     const auto step = [this](std::int64_t along) {
@@ -93,12 +94,12 @@ class MediumPlanes {
 
  private:
   std::int32_t mantissa_;
-  std::int32_t dx1_, dy1_, dx2_, dy2_;  ///< weights of vertices 1 and 2, a sub-pixel down and to the right
+  std::int32_t dx1_, dy1_, dx2_, dy2_;  ///< weights of vertices 1 and 2 for a sub-pixel down and to the right
   std::int32_t offset_x_, offset_y_;
-  std::uint32_t beyond_ = 0;  ///< upper words of all channels' steps, plus their limit
+  std::uint32_t beyond_ = 0;  ///< the OR of the upper words of all channels' steps, each plus the limit
 };
 
-/// The planes of a triangle, by the scan's area, anchor and colours. False: a channel is too steep.
+/// Sets the planes of a triangle from the scan's area, anchor and colours. Returns false if a channel is too steep.
 inline bool set_medium_planes(MediumScan& scan, MediumPlanes& planes, const SnappedVertex& v0, const SnappedVertex& v1,
                               const SnappedVertex& v2) {
   const auto set = [&scan](MediumScan::Value value, const Plane& plane) {
@@ -110,7 +111,7 @@ inline bool set_medium_planes(MediumScan& scan, MediumPlanes& planes, const Snap
   const Plane red = planes.channel(c[0].r, c[1].r, c[2].r);
   set(MediumScan::red, red);
   const auto is_grey = [](const Colour& colour) { return colour.r == colour.g && colour.g == colour.b; };
-  if (is_grey(c[0]) && is_grey(c[1]) && is_grey(c[2])) {  // white light, most often
+  if (is_grey(c[0]) && is_grey(c[1]) && is_grey(c[2])) {  // the most common case: white light
     set(MediumScan::green, red);
     set(MediumScan::blue, red);
   } else {
@@ -125,7 +126,7 @@ inline bool set_up_medium_portable(MediumScan& scan, const SnappedVertex& v0, co
   return set_medium_planes(scan, planes, v0, v1, v2);
 }
 
-/// A row's pixels, `length` > 0 of them from `column` on, counted from the anchor's.
+/// Draws `length` > 0 pixels of a row, from `column` on, counted from the anchor's column.
 template <bool gouraud>
 void scan_medium_row(const MediumScan& scan, std::int32_t column, std::int32_t length) {
   std::uint32_t z = scan.at(MediumScan::depth, column), r = 0, g = 0, b = 0;
@@ -151,7 +152,7 @@ void scan_medium_row(const MediumScan& scan, std::int32_t column, std::int32_t l
   } while (--length != 0);
 }
 
-/// `count` > 0 rows. Moves the scan to the one below.
+/// Draws `count` > 0 rows, and moves the scan to the row below them.
 template <bool gouraud>
 void scan_medium_rows(MediumScan& scan, std::int32_t count) {
   do {

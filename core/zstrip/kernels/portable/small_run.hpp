@@ -1,5 +1,6 @@
-// Runs of small triangles in C++: what a run must draw, a triangle at a time. The core draws runs only where the
-// processor has an implementation that is quicker than the assembler's loop; tests compare that with this.
+// Draws runs of small triangles in C++, one triangle at a time. This defines what a run must draw: the core uses runs
+// only if the processor has an implementation that is faster than the assembler's loop, and tests compare that one with
+// this one.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +23,13 @@ struct PortableSmallRun {
   const Colour* colours;
   std::uint32_t first_vertex;
 
-  /// `vertices` and `colours` are those of mesh vertex `first_vertex` on.
+  /// `vertices` and `colours` begin with mesh vertex `first_vertex`.
   PortableSmallRun(const StripTarget& strip, const SnappedVertex* first_of_vertices, const Colour* first_of_colours,
                    std::uint32_t first)
       : target(strip), vertices(first_of_vertices), colours(first_of_colours), first_vertex(first) {}
 };
 
-/// draw_small_run in C++.
+/// Implements draw_small_run in C++.
 inline std::uint32_t draw_small_run_portable(const PortableSmallRun& run, const Triangle* triangles,
                                              std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -42,7 +43,8 @@ inline std::uint32_t draw_small_run_portable(const PortableSmallRun& run, const 
     const auto [min_y, max_y] = std::minmax<std::int32_t>({at_a.y, at_b.y, at_c.y});
     const Rect box = Rect{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4}.cut_to(run.target.area);
     if (box.empty()) continue;
-    // The uppermost vertex first, of several the leftmost: otherwise the order of indices would change the rounding.
+    // The uppermost vertex comes first; if several are, the leftmost of them. Otherwise the order of indices would
+    // change the rounding.
     const auto comes_before = [&run](std::uint32_t one, std::uint32_t other) {
       const SnappedVertex &v = run.vertices[one], &w = run.vertices[other];
       return v.y != w.y ? v.y < w.y : v.x < w.x;

@@ -1,5 +1,5 @@
-// Small triangles in C++, for every processor: the box around the triangle is scanned with all three edge functions in
-// one word. The same pixels as the span rasteriser's, at a fraction of its set-up.
+// Draws small triangles in C++, on every processor: scans the box around the triangle with all three edge functions in
+// one word. It draws the same pixels as the span rasteriser, with a fraction of its set-up.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,17 @@
 namespace zstrip::detail {
 
 /// The edge functions 2 -> 0 and 0 -> 1 over the triangle: the weights of vertices 1 and 2, times the area. Exact,
-/// without the fill rule. Towards right they grow by dy, towards the bottom by -dx.
+/// without the fill rule. They grow by dy to the right and by -dx downwards.
 struct SmallWeights {
   std::int32_t at_anchor[2];
-  std::int32_t right[2], down[2];  ///< a sub-pixel
+  std::int32_t right[2], down[2];  ///< step a sub-pixel
 };
 
-/// The depth plane. `from_0` are the differences to vertices 1 and 2, 14.16, below 2^29; `inverse_area` is 2^31 / area.
+/// Returns the depth plane. `from_0` are the differences to vertices 1 and 2, 14.16, below 2^29; `inverse_area` is 2^31
+/// / area.
 inline SmallPlane small_depth(const SmallWeights& weights, std::int32_t inverse_area, std::uint32_t depth_0,
                               std::int32_t from_0_to_1, std::int32_t from_0_to_2) {
-  // Value per unit of edge function, 16.16, rounded; every pixel's value is exactly depth_0 + k1 e1 + k2 e2.
+  // The value per unit of an edge function, 16.16, rounded. A pixel's value is exactly depth_0 + k1 e1 + k2 e2.
   const auto per_unit = [inverse_area](std::int32_t difference) {
     return static_cast<std::uint32_t>(multiply_high_rounded(difference * 2, inverse_area));
   };
@@ -36,7 +37,8 @@ inline SmallPlane small_depth(const SmallWeights& weights, std::int32_t inverse_
   return {depth_0 + along(weights.at_anchor), along(weights.right) << 4, along(weights.down) << 4};
 }
 
-/// Planes of colour channels in 8.8. Start and steps are rounded down: less than 1/8 unit over a small triangle.
+/// Planes of colour channels in 8.8. Start and steps are rounded down; the error over a small triangle is less than 1/8
+/// unit.
 class SmallChannels {
  public:
   SmallChannels(const SmallWeights& weights, std::int32_t inverse_area) : inverse_area_(inverse_area) {
@@ -61,7 +63,7 @@ class SmallChannels {
   std::int32_t at_anchor_[2], right_[2], down_[2];
 };
 
-/// The planes, from the area, anchor and colours of the scan. `settle` after each stage.
+/// Sets up the planes from the area, anchor and colours of the scan. Calls `settle` after each stage.
 template <bool gouraud>
 [[gnu::always_inline]] inline void set_up_small_portable(SmallScan& scan, const SnappedVertex& v0,
                                                          const SnappedVertex& v1, const SnappedVertex& v2,
@@ -142,7 +144,7 @@ template <bool gouraud, bool statistics, class Rule>
   }
 }
 
-/// Set-up and scan in C++, for draw_small_by_scan.
+/// The set-up and the scan in C++, for draw_small_by_scan.
 struct PortableSmallStages {
   template <bool gouraud, bool statistics>
   [[gnu::always_inline]] static void set_up(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
@@ -156,7 +158,7 @@ struct PortableSmallStages {
   }
 };
 
-/// A small triangle as draw_small_triangle takes it, with set-up and scan of `Stages`.
+/// Draws a small triangle with the arguments of draw_small_triangle, and with set-up and scan of `Stages`.
 template <bool gouraud, bool statistics, class Stages, class Rule>
 void draw_small_by_scan(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
                         const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
@@ -191,7 +193,7 @@ void draw_small_by_scan(const StripTarget& target, const SnappedVertex& v0, cons
   Stages::template draw<gouraud, statistics>(scan, rule);
 }
 
-/// draw_small_triangle in C++.
+/// Implements draw_small_triangle in C++.
 template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
 void draw_small_triangle_portable(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
                                   const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,

@@ -1,4 +1,4 @@
-// Spans of one colour and of interpolated colours in C++, for every processor.
+// Draws spans with one colour and with interpolated colours in C++, on every processor.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace zstrip::detail {
 
-/// fill_flat in C++.
+/// Implements fill_flat in C++.
 template <bool statistics, class DepthPlane, class Rule>
 void fill_flat_portable(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                         std::uint16_t colour, Statistics* counters) {
@@ -24,7 +24,7 @@ void fill_flat_portable(const Span<typename Rule::Cell>& span, const DepthPlane&
   }
 }
 
-/// fill_gouraud in C++.
+/// Implements fill_gouraud in C++.
 template <bool statistics, class DepthPlane, class Rule>
 void fill_gouraud_portable(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                            const ColourPlanes& planes, Statistics* counters) {

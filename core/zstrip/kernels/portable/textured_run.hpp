@@ -1,4 +1,4 @@
-// Runs of texels in C++, for every processor.
+// Draws runs of texels in C++, on every processor.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace zstrip::detail {
 
-/// The pixels between two exact texture positions: fill_run in C++. Not inlined: the loop needs every register of a
-/// Cortex-M.
+/// Draws the pixels between two exact texture positions: implements fill_run in C++. Not inlined: the loop needs every
+/// register of a Cortex-M.
 template <TexelLight lit, bool statistics, class Value, class Rule, class State = TexturedRunState<Value>>
 struct TexturedRun : LitRunState<State> {
   [[no_unique_address]] Rule rule;
@@ -56,7 +56,7 @@ struct TexturedRun : LitRunState<State> {
   }
 };
 
-/// fill_runs in C++, for tests: the loop over a span (raster/textured_span.hpp) divides in the same way.
+/// Implements fill_runs in C++, for tests: it divides as the loop over a span does (raster/textured_span.hpp).
 template <class Run>
 void fill_runs_portable(Run& run, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
   for (; count != 0; --count) {
@@ -65,14 +65,14 @@ void fill_runs_portable(Run& run, std::uint16_t* depth, std::uint16_t* pixel, st
     run.one_over_w += run.one_over_w_step;
     const Reciprocal w = reciprocal_of(run.one_over_w == 0 ? 1 : run.one_over_w);
     const int right = run.right_shift - w.normalisation;
-    // u or v as texels, 16.16, modulo 2^16 texels.
+    // Returns u or v in texels, 16.16, modulo 2^16 texels.
     const auto texels = [&](std::uint32_t over_w, std::int32_t base) {
       const std::int32_t high = multiply_high(static_cast<std::int32_t>(over_w), w.value);
       const std::uint32_t from_base = right >= 0 ? static_cast<std::uint32_t>(high >> (right < 31 ? right : 31))
                                                  : static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31);
       return static_cast<std::uint32_t>(base) + from_base;
     };
-    const auto step = [](std::uint32_t from, std::uint32_t to) {  // a pixel
+    const auto step = [](std::uint32_t from, std::uint32_t to) {  // per pixel
       static_assert(kPerspectiveRun == 1 << 4);
       return static_cast<std::uint32_t>(static_cast<std::int32_t>(to - from) >> 4);
     };

@@ -1,4 +1,4 @@
-// The transform of a meshlet's vertices in C++, for every processor, projection and depth format.
+// Transforms a meshlet's vertices in C++, for every processor, projection and depth format.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace zstrip::detail {
 
-/// transform_vertices in C++.
+/// Implements transform_vertices in C++.
 template <Effects effects>
 bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                                  std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {

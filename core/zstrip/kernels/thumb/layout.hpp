@@ -1,10 +1,10 @@
-// Names for the assembler: offsets of members and numbers that assembly for Thumb-1 and Thumb-2 shares with C++.
+// Names for the assembler: offsets of members, and numbers that assembly for Thumb-1 and Thumb-2 shares with C++.
 //
 // A layout is a macro that lists field(record, type, member, offset) and number(name, expression, value).
-// ZSTRIP_CHECK_LAYOUT compares each with what the compiler has. ZSTRIP_NAMES gives the assembler the symbols
-// .Lrecord.member and .Lname: they leave nothing in the object. Each function's text begins with the layouts that it
-// names, because the assembler's symbols outside of functions get lost where the linker puts the files' code in another
-// order.
+// ZSTRIP_CHECK_LAYOUT compares each entry with the compiler's value. ZSTRIP_NAMES gives the assembler the symbols
+// .Lrecord.member and .Lname, which do not appear in the object file. The text of each function begins with the layouts
+// that it uses, because assembler symbols outside of functions get lost if the linker changes the order of the files'
+// code.
 #pragma once
 
 #include <cstddef>

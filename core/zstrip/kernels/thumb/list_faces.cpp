@@ -1,4 +1,4 @@
-// The assembly behind thumb/list_faces.hpp, and what it calls.
+// The assembly of thumb/list_faces.hpp, and the function that it calls.
 #include "zstrip/kernels/thumb/list_faces.hpp"
 
 #include <cstddef>
@@ -32,7 +32,7 @@ namespace zstrip::detail {
 ZSTRIP_CHECK_LAYOUT(ZSTRIP_FACE_LISTS)
 static_assert(kBinChunkSlots == 16);
 
-// The list has no room yet for a triangle of this batch. Used: the assembly calls it by its name.
+// Adds to a list that has no room for a triangle of this batch. `used`: the assembly calls it by name.
 [[gnu::used]] bool append_to_list(Bins& bins, BinList& list, std::uint32_t batch,
                                   std::uint32_t triangle) asm("zstrip_append_to_list");
 bool append_to_list(Bins& bins, BinList& list, std::uint32_t batch, std::uint32_t triangle) {

@@ -1,4 +1,4 @@
-// Front faces into the lists of their strips, in assembly for Cortex-M.
+// Adds front faces to the lists of their strips, in assembly for Cortex-M.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace zstrip::detail {
 
-/// list_faces_portable.
+/// Does the same as list_faces_portable.
 bool list_faces_thumb(FaceLists& faces, const Triangle* triangles, std::uint32_t count);
 
 }  // namespace zstrip::detail

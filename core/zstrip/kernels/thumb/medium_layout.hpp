@@ -1,4 +1,4 @@
-// Layout of MediumScan for the assembly of medium triangles.
+// The layout of MediumScan for the assembly of medium triangles.
 #pragma once
 
 #include "zstrip/kernels/medium_scan.hpp"

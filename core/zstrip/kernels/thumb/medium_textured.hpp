@@ -1,4 +1,4 @@
-// Rows of medium textured triangles in assembly for Cortex-M.
+// Draws rows of medium textured triangles, in assembly for Cortex-M.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,12 @@ namespace zstrip::detail {
 
 struct TexturedVertex;
 
-/// The planes of 1/w, u/w and v/w, the bases and the right shift of a triangle whose other planes
-/// set_up_medium_thumb has made, from its vertices and DepthFit::offset. For Thumb-2.
+/// Sets up the planes of 1/w, u/w and v/w, the bases and the right shift, from the triangle's vertices and
+/// DepthFit::offset. set_up_medium_thumb must have set up the other planes. For Thumb-2.
 void set_up_texture_thumb(TexturedScan& scan, const TexturedVertex* const* vertices, std::int64_t depth_offset);
 
-/// `count` > 0 rows of a triangle with perspective in smooth light; moves the scan below them. `inverse` is kInverse.
+/// Draws `count` > 0 rows of a triangle with perspective and smooth light; moves the scan below them. `inverse` is
+/// kInverse.
 void scan_textured_rows_thumb(TexturedScan& scan, const LitWordRunState& run, std::int32_t count,
                               const std::int32_t* inverse);
 

@@ -1,4 +1,4 @@
-// Layout of a scene's records, of transformed vertices and of pixels, for assembly.
+// The layout of a scene's records, of transformed vertices and of pixels, for assembly.
 #pragma once
 
 #include <cstdint>

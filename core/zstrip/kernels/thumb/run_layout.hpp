@@ -1,4 +1,4 @@
-// Layout of the states of runs of texels for assembly.
+// The layout of the states of runs of texels, for assembly.
 #pragma once
 
 #include "zstrip/kernels/processor.hpp"

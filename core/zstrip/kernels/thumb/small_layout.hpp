@@ -1,4 +1,4 @@
-// Layout of SmallScan for the assembly of small triangles.
+// The layout of SmallScan for the assembly of small triangles.
 #pragma once
 
 #include "zstrip/kernels/processor.hpp"

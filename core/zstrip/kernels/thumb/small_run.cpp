@@ -1,5 +1,5 @@
-// The assembly behind thumb/small_run.hpp and thumb2/listed_run.hpp, and what it calls. With both coordinates of a
-// vertex in one word a run takes half of what GCC makes of the C++.
+// The assembly of thumb/small_run.hpp and thumb2/listed_run.hpp, and the functions that it calls. With both coordinates
+// of a vertex in one word, a run takes half of the instructions that GCC makes from the C++.
 #include "zstrip/kernels/thumb/small_run.hpp"
 
 #include <cstddef>
@@ -50,13 +50,13 @@ ZSTRIP_CHECK_LAYOUT(ZSTRIP_SMALL_RUN)
 static_assert(kSmallDepthDifference == 1U << 29);
 static_assert(sizeof(CarriedTriangles) <= kBinChunkBytes);
 
-// These functions lie in other objects, and only the assembly calls them. With link time optimisation the linker takes
-// from an archive only what C++ names; no program keeps these pointers.
+// Names functions that lie in other objects and that only the assembly calls: with link-time optimisation the linker
+// takes from an archive only functions that C++ names. These pointers are in no program.
 [[gnu::used]] static constexpr auto* kSetUp = &set_up_small_thumb;
 [[gnu::used]] static constexpr auto* kScan = &scan_small_thumb;
 
-// A triangle that is not small, with the area and the colours of the run's scan. False: it is no medium one either.
-// Used: the assembly calls it by its name.
+// Draws a triangle that is not small, with the area and the colours of the run's scan. Returns false if it is not a
+// medium one either. `used`: the assembly calls it by name.
 [[gnu::used]] bool draw_medium_of_run(const ThumbSmallRun& run, const SnappedVertex& v0, const SnappedVertex& v1,
                                       const SnappedVertex& v2) asm("zstrip_draw_medium_of_run");
 bool draw_medium_of_run([[maybe_unused]] const ThumbSmallRun& run, [[maybe_unused]] const SnappedVertex& v0,

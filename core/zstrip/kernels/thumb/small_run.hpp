@@ -1,4 +1,4 @@
-// Runs of small triangles with interpolated colours, from indices to pixels, in assembly for Cortex-M.
+// Draws runs of small triangles with interpolated colours, from indices to pixels, in assembly for Cortex-M.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace zstrip::detail {
 
-/// Values that the triangles of a meshlet share, where the assembly expects them.
+/// Values that the triangles of a meshlet share. The assembly depends on the order of the members.
 struct ThumbSmallRun {
-  SmallScan scan;           ///< of the triangle at hand
-  std::uintptr_t vertices;  ///< where the mesh's vertex 0 would be: the cache has a run of them
-  std::uintptr_t colours;   ///< likewise
-  Rect area;                ///< of the strip
+  SmallScan scan;           ///< scan of the current triangle
+  std::uintptr_t vertices;  ///< the address of the mesh's vertex 0, although the cache holds only a run of vertices
+  std::uintptr_t colours;   ///< the address of the colour of vertex 0
+  Rect area;                ///< area of the strip
   std::uint16_t* depth;     ///< the cell of the area's upper left corner
   std::uint16_t* colour;
   const StripTarget* strip;
 
-  /// `vertices` and `colours` are those of mesh vertex `first_vertex` on.
+  /// `vertices` and `colours` begin with mesh vertex `first_vertex`.
   ThumbSmallRun(const StripTarget& target, const SnappedVertex* first_of_vertices, const Colour* first_of_colours,
                 std::uint32_t first_vertex)
       : vertices(reinterpret_cast<std::uintptr_t>(first_of_vertices) - first_vertex * sizeof(SnappedVertex)),
@@ -36,8 +36,8 @@ struct ThumbSmallRun {
   }
 };
 
-/// Culls and draws triangles of one-sided surfaces whose vertices are narrow, with the depth test of z16 and nothing to
-/// count. Stops at the first that is neither small nor medium; how many triangles come before it.
+/// Culls and draws triangles of one-sided surfaces with narrow vertices, with the depth test of z16, without counting.
+/// Stops at the first triangle that is neither small nor medium, and returns the number of triangles before it.
 std::uint32_t draw_small_run_thumb(ThumbSmallRun& run, const Triangle* triangles, std::uint32_t count);
 
 }  // namespace zstrip::detail

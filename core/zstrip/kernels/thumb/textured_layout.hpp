@@ -1,4 +1,4 @@
-// Layout of TexturedScan for the assembly of medium textured triangles.
+// The layout of TexturedScan for the assembly of medium textured triangles.
 #pragma once
 
 #include "zstrip/kernels/medium_textured.hpp"

@@ -1,8 +1,8 @@
-// The text of assembler macros that the assembly for Thumb-1 shares. Text in each function, because macros outside of
-// functions get lost where the linker puts the files' code in another order.
+// The text of assembler macros that the assembly for Thumb-1 shares. Each function contains the text, because macros
+// outside of functions get lost if the linker changes the order of the files' code.
 #pragma once
 
-// Saves r4 to r11 and lr, .Lsaved bytes: behind them on the stack are the arguments from the fifth on.
+// Saves r4 to r11 and lr, .Lsaved bytes. The arguments from the fifth on follow on the stack.
 #define ZSTRIP_THUMB1_PUSH \
   ".syntax unified\n"      \
   ".set .Lsaved, 36\n"     \
@@ -21,8 +21,8 @@
   "mov   r11, r7\n"       \
   "pop   {r4-r7, pc}\n"
 
-// zstrip_multiply_high a low high t u v [shift]: the upper word of a times what low and high are the halves of, floor,
-// as multiply_high_in_halves. `shift` is lsrs for unsigned words. Uses t, u and v.
+// zstrip_multiply_high a low high t u v [shift]: sets a to the upper word of its product with the word whose halves are
+// low and high, rounded down, as in multiply_high_in_halves. `shift` is lsrs for unsigned words. Changes t, u and v.
 #define ZSTRIP_THUMB1_MULTIPLY_HIGH                                                   \
   ".macro zstrip_multiply_high a:req low:req high:req t:req u:req v:req shift=asrs\n" \
   "  uxth  \\t, \\a\n"                                                                \
@@ -43,9 +43,9 @@
   "  adds  \\a, \\a, \\t\n"                                                           \
   ".endm\n"
 
-// zstrip_reciprocal: of r2, not 0. r3 = reciprocal(r2 << r6), which has its uppermost bit set. r6 before: the last
-// one's shift, from which this one's seldom differs. r5: the table of reciprocals for an index that begins at 256. Uses
-// r0 to r5. As in reciprocal_in_halves, with q in r4 and e in r5.
+// zstrip_reciprocal: r3 = reciprocal(r2 << r6), with r2 not 0 and r6 such that the highest bit is set. On entry r6
+// holds the last reciprocal's shift, which is nearly always the right one, and r5 the table of reciprocals for an index
+// that begins at 256. Changes r0 to r5. The same steps as in reciprocal_in_halves, with q in r4 and e in r5.
 #define ZSTRIP_THUMB1_RECIPROCAL \
   ZSTRIP_THUMB1_MULTIPLY_HIGH    \
   ".macro zstrip_reciprocal\n"   \

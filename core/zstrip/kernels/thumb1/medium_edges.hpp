@@ -1,11 +1,12 @@
-// The assembly with which each row of a medium triangle begins.
+// The assembly at the begin of each row of a medium triangle.
 #pragma once
 
-// zstrip_medium_edges: moves both edges of the scan in r0 a row down. The row's first column in r7, the one behind its
-// last in r1; r6 behind the edges, at depth_row. Takes r2 to r5. Needs the names of thumb/medium_layout.hpp. Text in
-// each function, as in macros.hpp.
+// zstrip_medium_edges: moves both edges of the scan in r0 a row down. Returns the row's first column in r7, the one
+// after its last in r1, and the address after the edges, that of depth_row, in r6. Changes r2 to r5. Needs the names of
+// thumb/medium_layout.hpp. A text in each function, as in macros.hpp.
 //
-// zstrip_medium_edge at: one edge, at offset `at` and at r6, which it moves behind it. Its column in r1.
+// zstrip_medium_edge at: moves the edge at offset `at`, whose address is in r6; r6 then points after it. Returns its
+// column in r1.
 #define ZSTRIP_THUMB1_MEDIUM_EDGES                                                         \
   ".macro zstrip_medium_edge at\n"                                                         \
   "  ldm   r6!, {r1-r5}            @ pixel, remainder, step, its remainder, denominator\n" \

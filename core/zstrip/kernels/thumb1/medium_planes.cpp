@@ -1,5 +1,6 @@
-// The assembly behind thumb1/medium_planes.hpp. A difference times a side is a number of whole words and one of 16 bits
-// below; both times the reciprocal of the area, of halves, give the upper 48 bits of the product.
+// The assembly of thumb1/medium_planes.hpp. The product of a difference and a side is a number of whole words plus 16
+// bits below them; both are multiplied by the halves of the area's reciprocal, which gives the upper 48 bits of the
+// product.
 #include "zstrip/kernels/thumb1/medium_planes.hpp"
 
 #include <cstddef>
@@ -72,9 +73,9 @@ struct ThumbPlanes::Layout {
   ".endm\n"
 #define ZSTRIP_THUMB1_PURGE_PLANES ".purgem zstrip_plane_quotient\n.purgem zstrip_plane_round\n"
 
-// r5 and r6 the halves of 1 / area, r7 the planes, r8 and r10 the halves of the first difference, r9 and r11 of the
-// second. A step to the right, times the way to the anchor, waits in r12 and lr until the step down has its product,
-// too: their sum leads from the value at vertex 0 to that at the anchor.
+// r5 and r6: the halves of 1 / area; r7: the planes; r8 and r10: the halves of the first difference; r9 and r11: those
+// of the second. The step to the right, times the distance to the anchor, waits in r12 and lr for the product of the
+// step down: their sum leads from the value at vertex 0 to the value at the anchor.
 [[gnu::naked, gnu::used]] void ThumbPlanes::set_plane(Plane&, const ThumbPlanes&, std::int32_t, std::int32_t,
                                                       std::int32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_THUMB_PLANES) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_PLANES R"(
@@ -147,10 +148,10 @@ struct ThumbPlanes::Layout {
   )" ZSTRIP_THUMB1_PURGE_PLANES ZSTRIP_THUMB1_POP);
 }
 
-// r4 how far quotients are still to be shifted, r5 and r6 the halves of 1 / area, r7 the planes, r8 and r9 the
-// differences of a channel, r10 its byte of the first colour, r11 where its start is, r12 0 in white light. A loop over
-// the channels, because three copies would be large; red alone where the light is white. Differences have 9 bits, so
-// that most sums with weights have 16, and a step takes two products instead of four.
+// r4: the remaining shift of quotients; r5 and r6: the halves of 1 / area; r7: the planes; r8 and r9: the differences
+// of a channel; r10: the address of its byte in the first colour; r11: the address of its start; r12: 0 in white light.
+// The channels are a loop, because three copies would be large; white light computes only red. Differences have 9 bits,
+// so that most sums with weights have 16, and a step takes two products instead of four.
 [[gnu::naked]] void ThumbPlanes::set_channels(MediumScan&) const {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_NAMES(ZSTRIP_THUMB_PLANES)
           ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_PLANES R"(

@@ -1,4 +1,4 @@
-// Planes of medium triangles in assembly for Thumb-1 (Cortex-M0, M0+).
+// The planes of medium triangles, in assembly for Thumb-1 (Cortex-M0, M0+).
 #pragma once
 
 #include <bit>
@@ -14,9 +14,9 @@ namespace zstrip::detail {
 struct TexturedScan;
 struct TexturedVertex;
 
-/// As MediumPlanes, of a triangle that fits_words. There sides are shifted so that a quotient is always the same bits
-/// of its product; here they stay short of 2^13, so that a factor is one word, and what is left to shift comes last.
-/// Needs no limit for steep channels.
+/// The planes of MediumPlanes for a triangle for which fits_words is true. There sides are shifted so that a quotient
+/// is always the same bits of its product. Here sides stay below 2^13, so that a factor is one word, and the remaining
+/// shift comes last. Needs no limit for steep channels.
 class ThumbPlanes {
  public:
   using Value = std::int32_t;
@@ -25,7 +25,7 @@ class ThumbPlanes {
     const int zeros = std::countl_zero(static_cast<std::uint32_t>(area));
     const auto mantissa = static_cast<std::uint32_t>(reciprocal(static_cast<std::uint32_t>(area) << zeros));
     mantissa_low_ = mantissa & 0xFFFF, mantissa_high_ = mantissa >> 16;
-    // A side is at most area / 2 < 2^(31 - zeros): shifted to the left 2^13.
+    // A side is at most area / 2 < 2^(31 - zeros): 2^13 after the shift.
     const int left = zeros > 18 ? zeros - 18 : 0;
     right_ = 18 - zeros + left;
     x1_ = (v0.y - v2.y) * (1 << left), x2_ = (v1.y - v0.y) * (1 << left);
@@ -34,30 +34,31 @@ class ThumbPlanes {
     offset_y_ = anchor_y * 16 + kPixelCentre - v0.y;
   }
 
-  /// As PlaneSetup::plane().
+  /// Computes the same plane as PlaneSetup::plane().
   Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
     Plane plane;
     set_plane(plane, *this, value_0, d1, d2);
     return plane;
   }
-  /// Sets the scan's colours.
+  /// Sets the planes of the scan's colours.
   void set_channels(MediumScan& scan) const;
-  /// As TextureCoordinates<false>, where its fits_words(), and its start_rows().
+  /// Sets up the texture as TextureCoordinates<false> and its start_rows() do, for triangles for which its fits_words()
+  /// is true.
   void set_texture(TexturedScan& scan, const TexturedVertex* const (&vertices)[3], std::int64_t depth_offset) const;
 
  private:
   static void set_plane(Plane& plane, const ThumbPlanes& planes, std::int32_t value_0, std::int32_t d1,
                         std::int32_t d2) asm("zstrip_set_plane_thumb");
-  struct Layout;  ///< checks where the members stand
+  struct Layout;  ///< checks the offsets of the members
 
-  // The assembly reads the members in this order.
+  // The assembly depends on the order of the members.
   std::uint32_t mantissa_low_, mantissa_high_;  ///< halves of 1 / area
-  std::int32_t x1_, x2_, y1_, y2_;              ///< weights of vertices 1 and 2, a sub-pixel to the right and down
+  std::int32_t x1_, x2_, y1_, y2_;              ///< weights of vertices 1 and 2 for a sub-pixel to the right and down
   std::int32_t offset_x_, offset_y_;            ///< from vertex 0 to the anchor's centre
-  std::int32_t right_;                          ///< what quotients are still to be shifted, 0 .. 11
+  std::int32_t right_;                          ///< the remaining shift of quotients, 0 .. 11
 };
 
-/// The planes of a triangle, by the scan's colours. No channel is too steep.
+/// Sets the planes of a triangle from the scan's colours. No channel is too steep here.
 inline bool set_medium_planes(MediumScan& scan, const ThumbPlanes& planes, const SnappedVertex& v0,
                               const SnappedVertex& v1, const SnappedVertex& v2) {
   const Plane depth = planes.plane(static_cast<std::int32_t>(v0.depth), static_cast<std::int32_t>(v1.depth - v0.depth),

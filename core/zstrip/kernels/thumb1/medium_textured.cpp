@@ -1,4 +1,4 @@
-// The assembly behind thumb/medium_textured.hpp for Thumb-1 (Cortex-M0, M0+): a pixel's values in registers, its steps
+// The assembly of thumb/medium_textured.hpp for Thumb-1 (Cortex-M0, M0+). A pixel's values are in registers, its steps
 // and texture on the stack.
 #include "zstrip/kernels/thumb/medium_textured.hpp"
 
@@ -11,9 +11,9 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// A row: edges, in the low registers; then the cell, depth, light and texture at the row's first pixel, to the stack;
-// the exact position there and at the last pixel, by .Ltextured_position; both steps; at last the pixels. Divisions
-// take every low register, so that all that a row needs waits on the stack, in the order in which ldm and stm take it.
+// A row: the edges, in the low registers; then cell, depth, light and texture at the row's first pixel, which go to the
+// stack; the exact positions there and at the last pixel, by .Ltextured_position; both steps; at last the pixels.
+// Divisions need every low register, so that all values of a row wait on the stack, in the order of ldm and stm.
 [[gnu::naked]] static void scan_rows_of_texels(TexturedScan&, const LitWordRunState&, std::int32_t, const std::int32_t*,
                                                const std::uint16_t*) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_NAMES(ZSTRIP_TEXTURED_SCAN)

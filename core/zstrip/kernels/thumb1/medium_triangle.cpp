@@ -1,5 +1,5 @@
-// The assembly behind thumb/medium_triangle.hpp: rows of a triangle, its values in the low registers, their steps in
-// the high ones.
+// The assembly of thumb/medium_triangle.hpp: rows of a triangle, with its values in the low registers and their steps
+// in the high ones.
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
 
 #include "zstrip/kernels/medium_scan.hpp"
@@ -11,9 +11,9 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// In the loop over pixels: r0 the cell, r4 to r7 depth, red, green and blue, r8 to r11 their steps, r12 from a cell to
-// its pixel, lr behind the last cell. Each row begins with the edges, for which r1 to r7 are needed; then rows and
-// starts are moved down in memory, because no register is left to keep them in.
+// In the loop over pixels: r0 the cell; r4 to r7 depth, red, green and blue; r8 to r11 their steps; r12 the distance
+// from a cell to its pixel; lr the end of the cells. Each row begins with the edges, which need r1 to r7. Then rows and
+// starts are moved down in memory, because no register is free for them.
 [[gnu::naked]] void scan_medium_gouraud_thumb(MediumScan&, std::int32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGES R"(
     @ On the stack:
@@ -115,8 +115,8 @@ namespace zstrip::detail {
   )" ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ZSTRIP_THUMB1_POP);
 }
 
-// In the loop over pixels: r1 the cell, r2 from there to its pixel, r3 behind the last cell, r4 the step of depth, r5
-// depth, r6 the colour. r8 and r9 keep that step and the colour, because the edges take the low registers.
+// In the loop over pixels: r1 the cell; r2 the distance to its pixel; r3 the end of the cells; r4 the step of depth; r5
+// depth; r6 the colour. r8 and r9 keep that step and the colour while the edges use the low registers.
 [[gnu::naked]] void scan_medium_flat_thumb(MediumScan&, std::int32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGES R"(
     .set .Lstack.scan, 0

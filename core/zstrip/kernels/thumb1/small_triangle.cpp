@@ -1,5 +1,5 @@
-// The assembly behind thumb/small_triangle.hpp for Thumb-1 (Cortex-M0, M0+). Products of 32 bits are made of products
-// of halves; those of the reciprocal stay in two of the eight registers that multiply.
+// The assembly of thumb/small_triangle.hpp for Thumb-1 (Cortex-M0, M0+). Products of 32 bits are sums of products of
+// halves; the halves of the reciprocal stay in two of the eight registers that can multiply.
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 
 #include "zstrip/base/division.hpp"
@@ -11,9 +11,9 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// r0 is the scan throughout. From the quotient on r6 and r7 are the halves of 1 / area, a factor of every plane:
+// r0 is always the scan. After the quotient, r6 and r7 hold the halves of 1 / area, a factor of every plane, and
 // weights and differences wait on the stack. Edges come first, because they need no quotient; then depth, because it
-// needs the whole one in r3; then channels, for which the halves suffice.
+// needs the whole quotient in r3; then channels, for which the halves suffice.
 [[gnu::naked]] static void set_up(SmallScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&,
                                   const std::uint16_t*) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MULTIPLY_HIGH R"(
@@ -309,14 +309,15 @@ namespace zstrip::detail {
   )" ZSTRIP_THUMB1_PURGE_MULTIPLY_HIGH);
 }
 
-// Used: small_run.cpp calls both by their names.
+// `used`: small_run.cpp calls both by name.
 [[gnu::used]] void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
                                       const SnappedVertex& v2) {
   set_up(scan, v0, v1, v2, kReciprocalTable.data());
 }
 
-// r1 edges, r2 their signs, r3 depth, r4 its cell, r6 columns left, r7 from a cell to its pixel, r8 green, r9 red and
-// blue, r10 to r12 the steps of depth, green, red and blue, lr of the edges. On the stack: the scan.
+// r1 edges; r2 their signs; r3 depth; r4 its cell; r6 remaining columns; r7 the distance from a cell to its pixel; r8
+// green; r9 red and blue; r10 to r12 the steps of depth, green, red and blue; lr the step of edges. The scan is on the
+// stack.
 [[gnu::naked, gnu::used]] void scan_small_thumb(SmallScan&) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) ZSTRIP_THUMB1_PUSH R"(
     .set .Lstack.scan, 0
@@ -410,7 +411,7 @@ namespace zstrip::detail {
   )");
 }
 
-// Works as scan_small_thumb, with the colour in r8: it steps only edges and depth, and the strides of both rows.
+// Works like scan_small_thumb, with the colour in r8: it steps only edges and depth, and the strides of both rows.
 [[gnu::naked]] void scan_small_flat_thumb(SmallScan&) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) ZSTRIP_THUMB1_PUSH R"(
     .set .Lstack.scan, 0

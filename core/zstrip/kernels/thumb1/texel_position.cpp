@@ -1,4 +1,4 @@
-// The assembly behind thumb1/texel_position.hpp.
+// The assembly of thumb1/texel_position.hpp.
 #include "zstrip/kernels/thumb1/texel_position.hpp"
 
 #include "zstrip/kernels/processor.hpp"
@@ -8,8 +8,8 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// r8 u/w and r7 v/w, while the division of 1 by r2 takes r0 to r6. Shifts come last, because the normalisation that
-// they depend on, r6, is a result of the division.
+// r8 holds u/w and r7 v/w while the division of 1 by r2 uses r0 to r6. Shifts come last, because they depend on the
+// normalisation in r6, a result of the division.
 [[gnu::naked]] std::uint64_t divide_texels_thumb1(std::uint32_t, std::uint32_t, std::uint32_t, std::int32_t,
                                                   std::uintptr_t) {
   asm(".syntax unified\n" ZSTRIP_THUMB1_RECIPROCAL R"(

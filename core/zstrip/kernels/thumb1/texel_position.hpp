@@ -1,4 +1,4 @@
-// The division by w of texture coordinates in assembly for Thumb-1 (Cortex-M0, M0+).
+// Divides texture coordinates by w, in assembly for Thumb-1 (Cortex-M0, M0+).
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace zstrip::detail {
 
-/// u in the lower word and v in the upper one, without their bases, as TextureCoordinates<false>::position.
-/// `one_over_w` may be 0. `table`: that of reciprocals for an index that begins at 256.
+/// Returns u in the lower word and v in the upper one, without their bases, as TextureCoordinates<false>::position
+/// computes them. `one_over_w` may be 0. `table`: the table of reciprocals, for an index that begins at 256.
 std::uint64_t divide_texels_thumb1(std::uint32_t one_over_w, std::uint32_t u_over_w, std::uint32_t v_over_w,
                                    std::int32_t right_shift, std::uintptr_t table);
 

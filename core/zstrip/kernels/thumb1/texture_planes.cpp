@@ -1,4 +1,4 @@
-// The planes of texture coordinates in assembly: TextureCoordinates<false> of ThumbPlanes, with start_rows().
+// The planes of texture coordinates in assembly: TextureCoordinates<false> with ThumbPlanes, and its start_rows().
 #include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb/textured_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
@@ -8,10 +8,11 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// r8, r9 and r10 the vertices, r11 and r12 the bases of u and v. First 1/w of each vertex, scaled to 29 bits, and its
-// plane; then the six products of 1/w with u and v in 64 bits, whose largest says how far all are shifted to fit words;
-// then the planes of u/w and v/w. .Ltexture_plane, .Ltexture_product and .Ltexture_zeros are called: copies would be
-// large. The first keeps its return address in r11, because zstrip_set_plane_thumb takes lr and saves r11.
+// r8, r9 and r10: the vertices; r11 and r12: the bases of u and v. First 1/w of each vertex, scaled to 29 bits, and its
+// plane; then the six products of 1/w with u and v in 64 bits, the largest of which determines the shift that makes all
+// fit words; then the planes of u/w and v/w. .Ltexture_plane, .Ltexture_product and .Ltexture_zeros are functions
+// because copies would be large. The first keeps its return address in r11, because zstrip_set_plane_thumb uses lr and
+// saves r11.
 [[gnu::naked]] void ThumbPlanes::set_texture(TexturedScan&, const TexturedVertex* const (&)[3], std::int64_t) const {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXTURED_SCAN) ZSTRIP_THUMB1_PUSH R"(
     @ On the stack:

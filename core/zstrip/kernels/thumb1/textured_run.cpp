@@ -1,5 +1,5 @@
-// The assembly behind thumb/textured_run.hpp for Thumb-1 (Cortex-M0, M0+): shifts, products and addresses have eight
-// registers only, so that what is merely added or copied stands in the upper ones.
+// The assembly of thumb/textured_run.hpp for Thumb-1 (Cortex-M0, M0+). Only eight registers can shift, multiply and
+// address, so that values that are only added or copied are in the upper ones.
 #include "zstrip/kernels/thumb/textured_run.hpp"
 
 #include "zstrip/base/division.hpp"
@@ -10,9 +10,9 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// A pixel: depth test, texel, steps. `cell` and `to`: where its depth and its colour lie.
-// r2 depth, r4 texels, r5 and r6 shifts of u and v, r7 mask, r8 u and r9 its step, r10 v and r11 its step, r12 the step
-// of depth; lr goes to r1 before the colour is stored.
+// A pixel: depth test, texel, steps. `cell` and `to` are the addresses of its depth and its colour. r2 depth; r4
+// texels; r5 and r6 shifts of u and v; r7 mask; r8 u and r9 its step; r10 v and r11 its step; r12 the step of depth. lr
+// is copied to r1 before the colour is stored.
 #define ZSTRIP_TEXEL                      \
   ".macro zstrip_texel cell:req to:req\n" \
   "  ldrh  r0, [r3, \\cell]\n"            \
@@ -36,7 +36,7 @@ namespace zstrip::detail {
   "  add   r10, r10, r11\n"               \
   ".endm\n"
 
-// r3 the cell, lr from a cell of depth to its pixel: both ways from one register.
+// r3 the cell; lr the distance from a cell to its pixel, so that one register serves both.
 [[gnu::naked]] void fill_run_thumb(WordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_THUMB1_PUSH ZSTRIP_TEXEL R"(
     .set .Lstack.state, 0
@@ -68,9 +68,10 @@ namespace zstrip::detail {
   )" ZSTRIP_THUMB1_POP);
 }
 
-// Two turns of eight pixels a run: a pixel's values have the registers of zstrip_texel, lr is its place. Between runs
-// r7 walks through the state: u/w, v/w and 1/w at the run's end, their quotients in r8 and r10, then u and v, whose way
-// from the run's start gives both steps. Depth and its cell wait on the stack, because the division takes r0 to r6.
+// A run is two passes over eight pixels. A pixel's values have the registers of zstrip_texel; lr is the pixel. Between
+// runs r7 walks through the state: u/w, v/w and 1/w at the run's end; their quotients, in r8 and r10; then u and v,
+// whose distance from the run's start gives both steps. Depth and its cell wait on the stack, because the division uses
+// r0 to r6.
 [[gnu::naked]] static void fill_runs(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t,
                                      const std::uint16_t*) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN)

@@ -1,5 +1,5 @@
-// The assembly behind transform.hpp: products of coordinates and coefficients by the halves of these, which wait
-// in memory in the order of their use.
+// The assembly of thumb1/transform.hpp: multiplies coordinates by the halves of coefficients, which are in memory in
+// the order of their use.
 #include "zstrip/kernels/thumb1/transform.hpp"
 
 #include <cstddef>
@@ -28,9 +28,9 @@ namespace zstrip::detail {
 // clang-format on
 ZSTRIP_CHECK_LAYOUT(ZSTRIP_HALVED_TRANSFORM)
 
-// r8 x and r9 y, r10 the next position, r11 the next vertex, r12 the normalisation of the last w, lr behind the last
-// vertex. For each vertex r7 walks through the transform from its first member to its last: an ldm of two bytes loads
-// up to three of them, and none needs an address.
+// r8 x; r9 y; r10 the next position; r11 the next vertex; r12 the normalisation of the last w; lr the end of the
+// vertices. For each vertex r7 walks through the transform from its first member to its last: an ldm of two bytes loads
+// up to three of them, without any address computation.
 [[gnu::naked]] static bool transform(const HalvedTransform&, const Position*, std::uint32_t, SnappedVertex*,
                                      const std::uint16_t*) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL R"(

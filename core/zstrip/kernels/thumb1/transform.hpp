@@ -1,4 +1,4 @@
-// The transform of a meshlet's vertices in assembly for Thumb-1 (Cortex-M0, M0+), with perspective and z16.
+// Transforms a meshlet's vertices, in assembly for Thumb-1 (Cortex-M0, M0+), with perspective and z16.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace zstrip::detail {
 
-/// A LinearForm, each coefficient as its halves: products of 32 bits take them one by one.
+/// A LinearForm with each coefficient as two halves, because a product of 32 bits is made of products of halves.
 struct LinearHalves {
   std::int32_t x_low, x_high, offset, y_low, y_high, z_low, z_high;
 
@@ -26,7 +26,7 @@ struct LinearHalves {
 struct HalvedTransform {
   LinearHalves x, y, w;
   std::uint32_t w_near, w_range;
-  std::int32_t shift_x, bias_x, shift_y, bias_y;  ///< NarrowProjection's
+  std::int32_t shift_x, bias_x, shift_y, bias_y;  ///< from NarrowProjection
   std::uint32_t depth_scale_low, depth_scale_high, depth_normalisation, depth_shift, depth_offset;
 
   HalvedTransform(const CompiledInstance& instance, const RasterOrigin& origin)
@@ -50,7 +50,7 @@ struct HalvedTransform {
         depth_offset(origin.depth_offset) {}
 };
 
-/// Writes `count` vertices, > 0. Returns whether all are narrow.
+/// Writes `count` > 0 vertices. Returns true if all are narrow.
 bool transform_vertices_thumb1(const HalvedTransform& transform, const Position* positions, std::uint32_t count,
                                SnappedVertex* vertices);
 

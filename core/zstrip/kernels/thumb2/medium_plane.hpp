@@ -1,13 +1,13 @@
-// The plane of a value of 32 bits over a medium triangle, in assembly: MediumPlanes::plane().
+// Computes the plane of a value of 32 bits over a medium triangle, in assembly, as MediumPlanes::plane() does.
 #pragma once
 
-// zstrip_medium_plane start, step_y, step_x: of a value r1 at vertex 0 and its differences r2 and r3 to vertices 1 and
-// 2, to these offsets from r0. Needs the mantissa of 1 / area in r4, the shifted weights of vertices 1 and 2: right r11
-// and r9, down r10 and r8, and the way to the anchor in r12 and lr; as MediumScan::shared has them. Takes r1 to r3 and
-// r5 to r7. Text in each function, as in thumb1/macros.hpp.
+// zstrip_medium_plane start, step_y, step_x: stores the plane of a value r1 at vertex 0, with differences r2 and r3 to
+// vertices 1 and 2, at these offsets from r0. Needs the mantissa of 1 / area in r4, the shifted weights of vertices 1
+// and 2 (right r11 and r9, down r10 and r8), and the distance to the anchor in r12 and lr, as in MediumScan::shared.
+// Changes r1 to r3 and r5 to r7. A text in each function, as in thumb1/macros.hpp.
 //
-// zstrip_medium_step at, way: a step in r7 and r5, from its product with the area in r6 and r5; stored at offset `at`.
-// Then r6 and r5 are the step times `way`.
+// zstrip_medium_step at, way: computes a step in r7 and r5 from its product with the area in r6 and r5, and stores it
+// at offset `at`. Then r6 and r5 are the step times `way`.
 #define ZSTRIP_MEDIUM_PLANE                                                   \
   ".macro zstrip_medium_step at, way\n"                                       \
   "  umull r7, r5, r5, r4\n"                                                  \

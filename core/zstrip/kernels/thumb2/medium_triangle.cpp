@@ -1,4 +1,4 @@
-// The assembly behind thumb/medium_triangle.hpp: a row of a triangle with all its values in registers.
+// The assembly of thumb/medium_triangle.hpp: a row of a triangle with all its values in registers.
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
 
 #include "zstrip/kernels/medium_scan.hpp"
@@ -10,9 +10,9 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
-// r0 is the scan throughout. From vertices, r1 to r3, come the shared values in the registers that zstrip_medium_plane
-// and zstrip_medium_channel read; depth is first, while the vertices' addresses last. Red comes before the other
-// channels: in white light it is all three.
+// r0 is always the scan. The vertices, r1 to r3, give the shared values in the registers that zstrip_medium_plane and
+// zstrip_medium_channel read. Depth comes first, while the vertices' addresses are still in registers. Red comes before
+// the other channels: in white light all three are equal.
 [[gnu::naked]] bool set_up_medium_thumb(MediumScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_MEDIUM_PLANE R"(
     .set .Lword, 4
@@ -134,9 +134,9 @@ namespace zstrip::detail {
   )");
 }
 
-// In the loop over pixels: r1 the cell, r2 from behind it to its pixel, r4, r5, r10 and r11 steps of depth, red, green
-// and blue, r6 to r9 the values, r12 pixels left. Rows and starts are moved down in memory before, while the same
-// registers hold the steps down.
+// In the loop over pixels: r1 the cell; r2 the distance from its end to its pixel; r4, r5, r10 and r11 the steps of
+// depth, red, green and blue; r6 to r9 the values; r12 remaining pixels. Before the loop, rows and starts are moved
+// down in memory, while these registers hold the steps down.
 [[gnu::naked]] void scan_medium_gouraud_thumb(MediumScan&, std::int32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_MEDIUM_EDGES R"(
     .set .Lstack.rows, 0              @ left
@@ -197,8 +197,8 @@ namespace zstrip::detail {
   )");
 }
 
-// In the loop over pixels: r1 the cell, r2 from behind it to its pixel, r4 depth, r5 its step, r6 the colour, r12
-// pixels left. r11 the rows left.
+// In the loop over pixels: r1 the cell; r2 the distance from its end to its pixel; r4 depth; r5 its step; r6 the
+// colour; r12 remaining pixels. r11 has the remaining rows.
 [[gnu::naked]] void scan_medium_flat_thumb(MediumScan&, std::int32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_MEDIUM_EDGES R"(
     push  {r4-r11, lr}

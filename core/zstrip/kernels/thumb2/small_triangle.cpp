@@ -1,5 +1,5 @@
-// The assembly behind thumb/small_triangle.hpp. GCC has a dozen registers for twice as many values and moves a third
-// of them to the stack and back; by hand all fit.
+// The assembly of thumb/small_triangle.hpp. GCC has a dozen registers for twice as many values and moves a third of
+// them to the stack and back; this code needs no stack for them.
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 
 #include "zstrip/kernels/small_scan.hpp"
@@ -9,11 +9,11 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
-// Used: small_run.cpp calls it by its name.
+// `used`: small_run.cpp calls it by name.
 //
-// r0 is the scan throughout. Weights stay in registers to the end: at the anchor r7 and r8, right r12 and r10, down r11
-// and r9, of vertices 1 and 2. Edges come first, because they need no quotient; then r4, the area, becomes its inverse.
-// Depth comes before channels, whose products need the weights scaled.
+// r0 is always the scan. The weights of vertices 1 and 2 stay in registers to the end: at the anchor r7 and r8, right
+// r12 and r10, down r11 and r9. Edges come first, because they need no quotient; then r4, the area, is replaced by its
+// inverse. Depth comes before channels, whose products need scaled weights.
 [[gnu::naked, gnu::used]] void set_up_small_thumb(SmallScan&, const SnappedVertex&, const SnappedVertex&,
                                                   const SnappedVertex&) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) R"(
@@ -141,10 +141,11 @@ namespace zstrip::detail {
   )");
 }
 
-// Used: small_run.cpp calls it by its name.
+// `used`: small_run.cpp calls it by name.
 //
-// r1 to r4 edges, depth, green, red and blue, r5 to r8 their steps to the right, r9 the cell, r10 from behind it to its
-// pixel, r11 columns left, lr the signs of edges. r0 is the scan, and in the loop over pixels a temporary.
+// r1 edges; r2 depth; r3 green; r4 red and blue; r5 to r8 their steps to the right; r9 the cell; r10 the distance from
+// its end to its pixel; r11 remaining columns; lr the signs of edges. r0 is the scan, and a temporary in the loop over
+// pixels.
 [[gnu::naked, gnu::used]] void scan_small_thumb(SmallScan&) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) R"(
     .set .Lstack.scan, 0
@@ -214,9 +215,9 @@ namespace zstrip::detail {
   )");
 }
 
-// r0 the scan, r1 and r2 edges and depth, r3 and r4 their steps to the right, r5 and r6 rows of depth and colour, r7
-// the colour, r8 columns left, r12 the cell, r10 from behind it to its pixel, lr the signs of edges: rows stay in
-// registers.
+// r0 the scan; r1 and r2 edges and depth; r3 and r4 their steps to the right; r5 and r6 the rows of depth and colour;
+// r7 the colour; r8 remaining columns; r12 the cell; r10 the distance from its end to its pixel; lr the signs of edges.
+// The rows stay in registers.
 [[gnu::naked]] void scan_small_flat_thumb(SmallScan&) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) R"(
     push  {r4-r11, lr}

@@ -1,4 +1,4 @@
-// The planes of texture coordinates in assembly: TextureCoordinates<false> of MediumPlanes, with start_rows().
+// The planes of texture coordinates in assembly: TextureCoordinates<false> with MediumPlanes, and its start_rows().
 #include "zstrip/kernels/thumb/medium_textured.hpp"
 #include "zstrip/kernels/thumb/textured_layout.hpp"
 #include "zstrip/kernels/thumb2/medium_plane.hpp"
@@ -8,8 +8,8 @@ namespace zstrip::detail {
 #if ZSTRIP_HAS_THUMB2
 
 // 1/w is scaled first, in registers, because every product needs it. Products wait on the stack in 64 bits until the
-// largest says how far all are shifted. Planes come last, u/w first, whose differences are in registers then; r4 and r8
-// to lr are what they share.
+// largest determines the shift of all. Planes come last, u/w first, because its differences are in registers then; r4
+// and r8 to lr hold the shared values.
 [[gnu::naked]] void set_up_texture_thumb(TexturedScan&, const TexturedVertex* const*, std::int64_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_NAMES(ZSTRIP_TEXTURED_SCAN)
           ZSTRIP_MEDIUM_PLANE R"(

@@ -1,5 +1,5 @@
-// The assembly behind thumb/textured_run.hpp. 15 values for 14 registers: shifts by a register look at its lowest byte
-// only, so that the bytes above count the pixels.
+// The assembly of thumb/textured_run.hpp. It has 15 values for 14 registers: a shift by a register uses only the
+// register's lowest byte, so that the bytes above it can count the pixels.
 #include "zstrip/kernels/thumb/textured_run.hpp"
 
 #include "zstrip/kernels/thumb/run_layout.hpp"
@@ -8,10 +8,10 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
-// A pixel: depth test, texel, steps. r0 and r1 u and v, r2 and r3 their steps, r4 depth, r5 its step, r6 texels, r7 and
-// r8 shifts of u and v, r9 the mask of rows, r10 the cell, r11 from behind it to its pixel; r12 and lr are temporary.
-// Text, because the assembler's macros outside of functions get lost where the linker puts the files' code in another
-// order.
+// A pixel: depth test, texel, steps. r0 and r1 u and v; r2 and r3 their steps; r4 depth; r5 its step; r6 texels; r7 and
+// r8 shifts of u and v; r9 the mask of rows; r10 the cell; r11 the distance from its end to its pixel; r12 and lr are
+// temporary. It is a text, because assembler macros outside of functions get lost if the linker changes the order of
+// the files' code.
 #define ZSTRIP_TEXEL                 \
   ".macro zstrip_texel\n"            \
   "  ldrh  r12, [r10], #.Lcell\n"    \
@@ -54,8 +54,8 @@ namespace zstrip::detail {
   )");
 }
 
-// Two pixels at a time, which share the count. Between runs r3 is the state; depth, its step, texels, shifts, mask and
-// place stay in r4 to r6 and r8 to r11, while r7, which counts too, is loaded again.
+// Draws two pixels at a time, which share the count. Between runs r3 is the state; depth, its step, texels, shifts,
+// mask and place stay in r4 to r6 and r8 to r11; r7, which also counts, is loaded again.
 [[gnu::naked]] void fill_runs_thumb(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_TEXEL R"(
     .set .Lstack.state, 0
@@ -138,9 +138,9 @@ namespace zstrip::detail {
   )");
 }
 
-// r0 the state, r1 the cell, r2 from behind it to its pixel, r3 the shift to a column and the count, r4 and r5 u and v,
-// r6 and r7 their steps, r8 depth, r10 texels. The mask of rows, the shift to them, the light and the step of z stay in
-// memory: products need r9, r11, r12 and lr.
+// r0 the state; r1 the cell; r2 the distance from its end to its pixel; r3 the shift to a column and the count; r4 and
+// r5 u and v; r6 and r7 their steps; r8 depth; r10 texels. The mask of rows, the shift to them, the light and the step
+// of z stay in memory, because products need r9, r11, r12 and lr.
 [[gnu::naked]] void fill_lit_run_thumb(LitWordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) R"(
     push  {r4-r11, lr}

@@ -1,5 +1,5 @@
-// The assembly behind transform.hpp: the instance's numbers come in pairs from memory, in the order of their
-// use, where GCC keeps some in registers and loads the rest one by one. Offsets are those of NarrowTransform.
+// The assembly of thumb2/transform.hpp. The instance's numbers are loaded in pairs, in the order of their use; GCC
+// keeps some in registers and loads the others one by one. Offsets are those of NarrowTransform.
 #include "zstrip/kernels/thumb2/transform.hpp"
 
 #include <cstddef>
@@ -34,9 +34,9 @@ namespace zstrip::detail {
 // clang-format on
 ZSTRIP_CHECK_LAYOUT(ZSTRIP_NARROW_TRANSFORM)
 
-// r0 the transform, r1 the next position, r2 how many are left, r3 the next vertex; r4, r5 and r6 the position in the
-// upper halves, so that smull leaves the upper word of each product. w comes first, because all else is divided by it.
-// Cortex-M4's SMLAWB would spare twelve instructions of these; one form for all serves better.
+// r0 the transform; r1 the next position; r2 the remaining ones; r3 the next vertex; r4, r5 and r6 the position in the
+// upper halves, so that smull leaves the upper word of each product. w comes first, because the other forms are divided
+// by it. SMLAWB of the Cortex-M4 would save twelve instructions, but this code serves all processors.
 [[gnu::naked]] bool transform_vertices_thumb2(const NarrowTransform&, const Position*, std::uint32_t, SnappedVertex*) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_NARROW_TRANSFORM) R"(
     .set .Lstack.narrow, 32           @ where r12 is saved: 1 while all vertices are narrow

@@ -1,4 +1,4 @@
-// The transform of a meshlet's vertices in assembly for Thumb-2 (Cortex-M3, M4, M7), with perspective and z16.
+// Transforms a meshlet's vertices, in assembly for Thumb-2 (Cortex-M3, M4, M7), with perspective and z16.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct NarrowTransform {
   LinearForm w;
   std::uint32_t w_near, w_range;
   LinearForm x, y;
-  std::int32_t shift_x, shift_y, bias_x, bias_y;  ///< NarrowProjection's
+  std::int32_t shift_x, shift_y, bias_x, bias_y;  ///< from NarrowProjection
   std::uint32_t depth_normalisation, depth_scale, depth_shift, depth_offset;
 
   NarrowTransform(const CompiledInstance& instance, const RasterOrigin& origin)
@@ -36,7 +36,7 @@ struct NarrowTransform {
         depth_offset(origin.depth_offset) {}
 };
 
-/// Writes `count` vertices, > 0. Returns whether all are narrow.
+/// Writes `count` > 0 vertices. Returns true if all are narrow.
 bool transform_vertices_thumb2(const NarrowTransform& transform, const Position* positions, std::uint32_t count,
                                SnappedVertex* vertices);
 

@@ -1,17 +1,17 @@
-// Triangles whose vertices are words of both coordinates, y above x, in assembly: their area and their box. Where the
-// processor has instructions for two halves of a word (Cortex-M4, M7, M33, M55) they take half as many.
+// Area and box of triangles whose vertices are words of both coordinates, y above x, in assembly. Processors with
+// instructions for two halves of a word (Cortex-M4, M7, M33, M55) need half as many instructions.
 //
-// zstrip_triangle_area: twice the signed area of the vertices r4, r5 and r6 into r7. Takes r8, r9 and r12.
+// zstrip_triangle_area: computes twice the signed area of the vertices r4, r5 and r6 in r7. Changes r8, r9 and r12.
 //
-// zstrip_triangle_box: of the vertices r4, the highest, r5 and r6: left r7, top r4, right r8 and bottom r5, in pixels.
-// Compares the sum of its sides with kSmallExtent, for `hs`. Takes r6, r9 and r12.
+// zstrip_triangle_box: computes the box of the vertices r4 (the highest), r5 and r6, in pixels: left r7, top r4, right
+// r8 and bottom r5. Compares the sum of its sides with kSmallExtent, for `hs`. Changes r6, r9 and r12.
 //
-// Text in each function, as in thumb1/macros.hpp.
+// A text in each function, as in thumb1/macros.hpp.
 #pragma once
 
 #if defined(__ARM_FEATURE_DSP)
 
-// Differences are below 2^15. ssub16 sets the flags that sel takes halves by.
+// Differences are below 2^15. ssub16 sets the flags with which sel selects halves.
 #define ZSTRIP_TRIANGLE_OF_WORDS                                    \
   ".macro zstrip_triangle_area\n"                                   \
   "  ssub16 r9, r5, r4\n"                                           \

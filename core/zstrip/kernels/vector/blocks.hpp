@@ -1,5 +1,5 @@
-// Scanning a triangle's box in blocks of four columns and two rows: each value of eight pixels in one or two
-// registers, edge functions and channels modulo 2^16, depths modulo 2^32.
+// Scans a triangle's box in blocks of four columns and two rows: each value of eight pixels is in one or two registers,
+// edge functions and channels modulo 2^16, depths modulo 2^32.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace zstrip::detail::vectors {
 constexpr std::int32_t kBlockColumns = 4;
 constexpr std::int32_t kBlockRows = 2;
 
-/// Four cells or pixels in each of two rows.
+/// Loads and stores four cells or pixels in each of two rows.
 struct InTwoRows {
-  std::ptrdiff_t stride;  ///< to the second row
+  std::ptrdiff_t stride;  ///< distance to the second row
 
   Halves load(const std::uint16_t* at) const { return load_4_and_4(at, at + stride); }
   void store(std::uint16_t* at, Halves values) const {
@@ -34,17 +34,17 @@ inline Words place_of(const SnappedVertex& v) {
   return in_first_word(pair);
 }
 
-/// The smallest rectangles around triangles, one for each word of the vertices' places: pairs of x and y.
+/// The smallest rectangles around triangles, one in each word: pairs of x and y.
 struct Boxes {
   Halves least, greatest;
 
   Boxes(Words a, Words b, Words c)
       : least(signed_min(signed_min(as_halves(a), as_halves(b)), as_halves(c))),
         greatest(signed_max(signed_max(as_halves(a), as_halves(b)), as_halves(c))) {}
-  /// Their first pixels, and those behind their last ones.
+  /// These return the first pixels, and those after the last ones.
   Halves first() const { return arithmetically_right(least, 4); }
   Halves end() const { return arithmetically_right(greatest, 4); }
-  /// Returns the box of the first word.
+  /// Returns the box in the first word.
   Rect first_box() const {
     const auto low = static_cast<std::int32_t>(as_words(first())[0]);
     const auto high = static_cast<std::int32_t>(as_words(end())[0]);
@@ -52,22 +52,22 @@ struct Boxes {
   }
 };
 
-/// The edges 2 -> 0, 0 -> 1 and 1 -> 2, the weights of vertices 1, 2 and 0, in a word each.
+/// The edges 2 -> 0, 0 -> 1 and 1 -> 2, the weights of vertices 1, 2 and 0, each in a word.
 struct Edges {
-  Halves corners;  ///< where each ends: x, y
-  Halves steps;    ///< a sub-pixel to the right and down
+  Halves corners;  ///< end of each edge: x, y
+  Halves steps;    ///< steps of a sub-pixel to the right and down
 
   Edges(const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2) {
     const Words ends = first_words(place_of(v0), place_of(v1), place_of(v2));
     corners = as_halves(ends);
-    // To the right by dy, down by -dx.
+    // Edge functions grow by dy to the right and by -dx downwards.
     steps = swapped_in_pairs(corners - as_halves(rotated(ends))) * in_all_pairs(1, -1);
   }
-  /// The edge functions at the centre of a pixel, without the fill rule.
+  /// Returns the edge functions at the centre of a pixel, without the fill rule.
   Words at(std::int32_t column, std::int32_t row) const {
     return sums_of_products(steps, in_all_pairs(column * 16 + kPixelCentre, row * 16 + kPixelCentre) - corners);
   }
-  /// PackedEdges::field of all.
+  /// Returns PackedEdges::field of all edges.
   Words fields(Words exact) const {
     return arithmetically_right(exact + arithmetically_right(lower_then_upper(steps), 31), 4);
   }
@@ -87,7 +87,8 @@ struct EdgeBlock {
   }
 };
 
-// Classes that colour the pixels of blocks: column() returns the colour() of one and goes down to the next.
+// The classes below colour the pixels of blocks: column() returns the colour() of a column of blocks and goes down to
+// the next row.
 
 /// Pixels of one colour.
 struct OneColour {
@@ -99,7 +100,7 @@ struct OneColour {
   void go_down() const {}
 };
 
-/// A channel in 8.8 in the pixels of a block, and its steps to the blocks beside and below.
+/// A channel in 8.8 in the pixels of a block, and its steps to the next blocks to the right and down.
 struct ChannelBlock {
   Halves value, right, down;
 
@@ -117,15 +118,15 @@ struct ChannelBlocks {
 
 /// A value of 32 bits in the pixels of a block, and its steps a pixel.
 struct WordBlock {
-  Words upper, step_x, step_y;  ///< of the upper row
+  Words upper, step_x, step_y;  ///< values of the upper row
 
-  /// For value `number` of four.
+  /// Returns the block for value `number` of four.
   template <int number>
   static WordBlock of(Words starts, Words steps_x, Words steps_y) {
     const Words right = word_in_all<number>(steps_x), down = word_in_all<number>(steps_y);
     return {word_in_all<number>(starts) + multiples_0_to_3(right), right, down};
   }
-  /// Their upper halves.
+  /// Returns the upper halves of all words.
   Halves halves() const { return upper_halves(upper, upper + step_y); }
   void move_right() { upper += step_x << 2; }
   void go_down() { upper += step_y + step_y; }
@@ -140,12 +141,12 @@ struct WordChannels {
   void go_down() { r.go_down(), g.go_down(), b.go_down(); }
 };
 
-/// The blocks of a triangle's box in a strip. They may go beyond the box, where the triangle covers nothing, but not
-/// beyond the strip.
+/// The blocks of a triangle's box in a strip. They may extend beyond the box, where the triangle covers nothing, but
+/// not beyond the strip.
 struct Blocks {
   const StripTarget& target;
-  std::int32_t across, down;  ///< how many
-  std::int32_t left, top;     ///< the first pixel of the first one
+  std::int32_t across, down;  ///< number of blocks
+  std::int32_t left, top;     ///< the first pixel of the first block
 
   Blocks(const StripTarget& strip, const Rect& box)
       : target(strip),
@@ -165,7 +166,7 @@ struct Blocks {
                       EdgeBlock::of<2>(fields, edges.steps)};
     std::uint16_t* depth = target.depth_row(top) + (left - target.area.left);
     std::uint16_t* pixel = target.colour_row(top) + (left - target.area.left);
-    // Alone, a column's values need not be kept: most small triangles have one.
+    // A single column's values need not be stored, and most small triangles have one column.
     if (across == 1) return draw_column(e, z, z_step_y, colours, depth, pixel);
     for (std::int32_t column = across;;) {
       draw_column(e, z, z_step_y, colours, depth, pixel);
@@ -184,7 +185,7 @@ struct Blocks {
   template <class Colours>
   [[gnu::always_inline]] void draw_column(const EdgeBlock (&e)[3], Words upper, Words z_step_y, const Colours& colours,
                                           std::uint16_t* depth, std::uint16_t* pixel) const {
-    // Copies: compilers must assume that stores of lanes change any memory.
+    // These are copies, because compilers must assume that storing a lane changes any memory.
     const InTwoRows cells{target.depth_stride};
     const InTwoRows pixels{target.colour_stride};
     const Words z_down = z_step_y + z_step_y;
@@ -193,7 +194,7 @@ struct Blocks {
     for (std::int32_t row = down;;) {
       const Halves outside = arithmetically_right(e0 | e1 | e2, 15);
       if (any_clear(outside)) {
-        // Code 0 is nearer than no cell.
+        // A fragment of code 0 is never nearer than a cell.
         draw_fragments(cells, pixels, depth, pixel, ~outside & upper_halves(upper, upper + z_step_y),
                        [&] { return column.colour(); });
       }

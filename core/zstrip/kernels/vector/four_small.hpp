@@ -1,5 +1,5 @@
-// Four small triangles at once: a lane of each vector belongs to one of them. Their planes, then the pixels of a cell
-// of each, four columns and four rows, turned into blocks of four columns and two rows.
+// Draws four small triangles at once: each lane of a vector belongs to one of them. Computes their planes, then the
+// pixels of a cell of each, four columns and four rows, and transposes them to blocks of four columns and two rows.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace zstrip::detail::vectors {
 
 constexpr std::int32_t kCellSide = 4;  ///< pixels
 
-/// The three corners of four triangles, whose places, depths and colours are a word each.
+/// The three corners of four triangles. Place, depth and colour of a corner are a word each.
 struct FourCorners {
   Words place[3], depth[3], colour[3];
 
-  /// Begins each with its highest corner, of several the leftmost. `mirrors`: exchanges the others of those that show
-  /// their back.
+  /// Rotates the corners of each triangle so that the highest is first; if several are, the leftmost of them.
+  /// `mirrors`: exchanges the other two in triangles that show their back face.
   template <bool gouraud>
   [[gnu::always_inline]] void turn(bool mirrors) {
     // Grows with y, then x.
@@ -48,7 +48,8 @@ struct FourCorners {
   }
 };
 
-/// A value and its steps a pixel. Lanes 0 to 3 are the triangles, 4 to 7 again; of in_rows() two rows below.
+/// A value and its steps a pixel. Lanes 0 to 3 are the triangles, and lanes 4 to 7 repeat them; those are two rows
+/// lower in in_rows().
 struct FourValues {
   Halves value, right, down;
 
@@ -56,16 +57,16 @@ struct FourValues {
   void move(Halves columns, Halves rows) { value += right * columns + down * rows; }
 };
 
-/// The pixels of four cells: of triangle i the two upper rows in [i], the two lower ones in [4 + i].
+/// The pixels of four cells. Triangle i has its two upper rows in [i] and its two lower rows in [4 + i].
 struct FourCells {
   struct Block {
-    Halves codes;    ///< 0 where nothing is covered
+    Halves codes;    ///< 0 if the pixel is not covered
     Halves colours;  ///< RGB565
   };
   Block blocks[8];
 };
 
-/// Eight vectors as columns, each of them the part of a block.
+/// Transposes eight vectors: each column becomes one part of a block.
 [[gnu::always_inline]] inline void transpose(const Halves (&from)[8], FourCells& to, Halves FourCells::Block::*part) {
   const auto shuffle = [](const Halves(&x)[8], Halves(&y)[8]) {
     y[0] = interleaved_low(x[0], x[4]), y[1] = interleaved_high(x[0], x[4]);
@@ -81,21 +82,21 @@ struct FourCells {
   to.blocks[4].*part = a[4], to.blocks[5].*part = a[5], to.blocks[6].*part = a[6], to.blocks[7].*part = a[7];
 }
 
-/// Four small triangles, the first corner of each the highest, then the leftmost.
+/// Four small triangles. The first corner of each is the highest; if several are, the leftmost of them.
 template <bool gouraud>
 class FourTriangles {
  public:
-  /// `anchor`: the centre of each one's first pixel.
+  /// `anchor`: the centre of each triangle's first pixel.
   [[gnu::always_inline]] FourTriangles(const FourCorners& corners, Halves anchor) {
     const auto place = [&corners](int i) { return as_halves(corners.place[i]); };
-    // From where each edge ends to where it begins: to the right an edge function grows by y, down by -x.
+    // Sides from the end of each edge to its begin: an edge function grows by y to the right and by -x downwards.
     const Halves edge_1 = place(0) - place(2), edge_2 = place(1) - place(0);
     const auto across = [](Halves side) { return swapped_in_pairs(side) * in_all_pairs(-1, 1); };
     const Halves to_anchor = across(anchor - place(0));
     const Words area = sums_of_products(edge_1, across(edge_2));
     const Words at_1 = sums_of_products(edge_1, to_anchor), at_2 = sums_of_products(edge_2, to_anchor);
     const Words inverse{quotient_31(area[0]), quotient_31(area[1]), quotient_31(area[2]), quotient_31(area[3])};
-    // Vertices 1 and 2, in pairs.
+    // The weights of vertices 1 and 2, in pairs.
     const Halves weights = lower_pairs(as_halves(at_1), as_halves(at_2));
     const Halves steps_x = upper_pairs(edge_1, edge_2), steps_y = Halves{} - lower_pairs(edge_1, edge_2);
     const Halves fields = edge_fields(weights, steps_x, steps_y);
@@ -111,7 +112,7 @@ class FourTriangles {
                                rounded_upper_products<1>(depth[2] - depth[0], inverse));
     z_ = settled(depth[0] + per_unit.sums(weights));
     z_right_ = settled(per_unit.sums(right)), z_down_ = settled(per_unit.sums(down));
-    // Halves are compared, because differences of whole depths need 33 bits.
+    // Compares halves, because differences of whole depths need 33 bits.
     const auto near = [&depth](int i) {
       return (depth[0] >> 1) - (depth[i] >> 1) + in_all_words(kSmallDepthDifference / 2);
     };
@@ -134,10 +135,10 @@ class FourTriangles {
     }
   }
 
-  /// Returns the triangles whose depths are too far from each other for a small triangle.
+  /// Returns a mask of the triangles whose depths differ too much for small triangles.
   Words far() const { return far_; }
 
-  /// By columns and rows, in pairs.
+  /// Moves by columns and rows, in pairs.
   void move(Halves pixels) {
     const Words columns = arithmetically_right(as_words(pixels) << 16, 16);
     const Words rows = arithmetically_right(as_words(pixels), 16);
@@ -150,7 +151,7 @@ class FourTriangles {
     }
   }
 
-  /// The cells whose first pixels these are.
+  /// Draws the cells that begin at the anchors.
   [[gnu::always_inline]] void draw(FourCells& cells) const {
     Halves pixels[8];
     {
@@ -170,12 +171,12 @@ class FourTriangles {
   }
 
  private:
-  /// Four columns of a row, and of two rows below it.
+  /// Computes the codes of four columns in a row, and in the row two below it.
   [[gnu::always_inline]] void draw_codes(Halves* to, Halves a, Halves b, Halves c, Words upper) const {
     Words lower = upper + (z_down_ << 1);
     const auto next = [&] {
       const Halves outside = arithmetically_right(a | b | c, 15);
-      // Code 0 is nearer than no cell.
+      // A fragment of code 0 is never nearer than a cell.
       const Halves codes = settled(~outside & upper_halves(upper, lower));
       a += edges_[0].right, b += edges_[1].right, c += edges_[2].right;
       upper += z_right_, lower += z_right_;
@@ -191,7 +192,7 @@ class FourTriangles {
     };
     to[0] = next(), to[1] = next(), to[2] = next(), to[3] = next();
   }
-  /// PackedEdges::field of edge functions that grow by `right` and `down` a sub-pixel.
+  /// Returns PackedEdges::field of edge functions that grow by `right` and `down` a sub-pixel.
   static Halves edge_fields(Halves exact, Halves right, Halves down) {
     return arithmetically_right(exact + arithmetically_right(right + right + arithmetically_right(down, 15), 15), 4);
   }

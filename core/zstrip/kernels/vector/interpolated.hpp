@@ -1,4 +1,4 @@
-// A value along a row: eight pixels at a time.
+// A value that is interpolated along a row, for eight pixels at a time.
 #pragma once
 
 #include "zstrip/kernels/vector/fragments.hpp"
@@ -7,16 +7,16 @@
 
 namespace zstrip::detail::vectors {
 
-/// A value of four pixels next to each other, and of the four behind them. Modulo 2^32.
+/// A value of four adjacent pixels, and of the next four. Modulo 2^32.
 struct Interpolated {
   Words first, last;
   std::uint32_t step;  ///< a pixel
   Words step_8;
 
   Interpolated(std::uint32_t start, std::uint32_t step_x)
-      // Settled, or GCC takes every multiple from another word.
+      // Settled, because GCC would take each multiple from another word.
       : Interpolated(in_all_words(start), settled(in_all_words(step_x))) {}
-  /// Interpolates vectors whose words are alike.
+  /// All words of `start` are equal, and so are those of `steps`.
   Interpolated(Words start, Words steps)
       : first(start + multiples_0_to_3(steps)), last(first + (steps << 2)), step(steps[0]), step_8(steps << 3) {}
   Halves upper() const { return upper_halves(first, last); }
@@ -31,8 +31,9 @@ struct Interpolated {
   }
 };
 
-/// Calls draw(offset) for eight of `length` >= 8 pixels at a time, next() after each, and for what is left
-/// move(pixels), negative, and draw() for the last eight: a fragment that is drawn twice is not nearer than itself.
+/// Calls draw(offset) for eight of `length` >= 8 pixels at a time, and next() after each. For the rest it calls
+/// move(pixels) with a negative number and draws the last eight pixels: a fragment that is drawn twice does not pass
+/// the second test.
 template <class Draw, class Next, class Move>
 [[gnu::always_inline]] inline void for_each_eight(std::int32_t length, const Draw& draw, const Next& next,
                                                   const Move& move) {

@@ -1,4 +1,4 @@
-// A medium triangle in blocks, by the planes of portable/medium_triangle.hpp.
+// Draws a medium triangle in blocks, with the planes of portable/medium_triangle.hpp.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace zstrip::detail::vectors {
 
-/// draw_medium of a triangle in a box, the first of `around`.
+/// Implements draw_medium for a triangle in a box, the first of `around`.
 template <bool gouraud>
 [[gnu::always_inline]] inline bool draw_medium_in_blocks(const MediumTriangle& t, const Boxes& around,
                                                          const Colour* const* colours, std::uint16_t flat_colour) {
@@ -41,7 +41,7 @@ template <bool gouraud>
   const Words exact = edges.at(blocks.left, blocks.top);
   const auto z = WordBlock::of<MediumScan::depth>(start, step_x, step_y);
   if constexpr (gouraud) {
-    // 16.16, so that all that counts of a channel is in the upper half.
+    // Converted to 16.16, so that the upper half has all bits of a channel that are used.
     const Words from = start << 8, right = step_x << 8, down = step_y << 8;
     blocks.draw(edges, exact, z.upper, z.step_x, z.step_y,
                 WordChannels{WordBlock::of<MediumScan::red>(from, right, down),

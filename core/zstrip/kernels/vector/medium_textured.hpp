@@ -1,4 +1,5 @@
-// Pixels of medium textured triangles in smooth light: depth and the light's channels of one pixel in a vector.
+// Draws pixels of medium textured triangles with smooth light: depth and the light's channels of one pixel are in one
+// vector.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +13,12 @@
 namespace zstrip::detail {
 namespace vectors {
 
-/// modulated(): words 1 to 3 are the light's red, green and blue, and in between every channel has a word of its own.
+/// Does the same as modulated(). Words 1 to 3 are the light's red, green and blue; inside, each channel has its own
+/// word.
 inline std::uint16_t modulated(std::uint16_t texel, Words light) {
   const Words factors = (light >> 16) + (light >> 23);
   const Halves channels = as_halves(in_all_words(texel)) * Halves{0, 0, 1, 0, 1 << 5, 0, 1 << 11, 0};
-  // The division by 256 leaves 3 bits to red and blue, 2 to green. To nearest.
+  // The division by 256 leaves 3 fraction bits for red and blue and 2 for green; rounded to nearest.
   const Halves lit =
       upper_products_of_halves(channels & Halves{0, 0, 0xF800, 0, 0xFC00, 0, 0xF800, 0}, as_halves(factors)) +
       Halves{0, 0, 1 << 2, 0, 1 << 1, 0, 1 << 2, 0};
@@ -27,8 +29,8 @@ inline std::uint16_t modulated(std::uint16_t texel, Words light) {
 
 }  // namespace vectors
 
-/// `length` > 0 pixels of the next row from `column` on, counted from the anchor's; `run` has the texture, where it
-/// starts and its steps.
+/// Draws `length` > 0 pixels of the next row, from `column` on, counted from the anchor's column. `run` has the
+/// texture, the start and the steps.
 [[gnu::always_inline]] inline void fill_smooth_vector(const LitWordRunState& run, const TexturedScan& textured,
                                                       std::int32_t column, std::int32_t length) {
   using namespace vectors;

@@ -1,4 +1,4 @@
-// Medium triangles by themselves.
+// Draws single medium triangles.
 #include "zstrip/kernels/vector/medium_blocks.hpp"
 
 #if ZSTRIP_HAS_VECTORS

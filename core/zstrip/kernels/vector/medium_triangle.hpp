@@ -1,4 +1,4 @@
-// Triangles of some dozen pixels a side in vectors, with the depth test of z16.
+// Draws triangles of some dozen pixels a side in vectors, with the depth test of z16.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,12 @@
 
 namespace zstrip::detail {
 
-/// Width plus height of the bounding box, in 1/16 pixels, below which a triangle is drawn in blocks: its edge
-/// functions / 16, up to 4 pixels beyond the box, have 16 bits.
+/// Limit of the width plus height of the bounding box, in 1/16 pixels, for drawing in blocks: below it, edge functions
+/// / 16 have 16 bits up to 4 pixels beyond the box.
 inline constexpr std::int32_t kMediumExtent = 640;
 
-/// draw_medium. False, and nothing drawn, also where there is no room for whole blocks of 4 x 2 pixels in the strip.
+/// These implement draw_medium. They also return false, and draw nothing, if the strip has no room for whole blocks of
+/// 4 x 2 pixels.
 bool draw_medium_flat_vector(const MediumTriangle& triangle, std::uint16_t colour);
 bool draw_medium_gouraud_vector(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
 

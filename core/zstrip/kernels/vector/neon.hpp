@@ -1,4 +1,4 @@
-// Functions of NEON that kernels in vectors need beside operators: those that sse2.hpp describes.
+// The functions of NEON that kernels in vectors need in addition to operators; sse2.hpp describes them.
 #pragma once
 
 #include <cstdint>
@@ -107,7 +107,7 @@ inline Halves signed_max(Halves a, Halves b) { return as_halves(vmaxq_s16(as_s16
 inline Halves chosen(Halves mask, Halves a, Halves b) {
   return as_halves(vbslq_u16(as_u16(mask), as_u16(a), as_u16(b)));
 }
-/// One byte of each half in a long word.
+/// Tests one byte of each half, in a long word.
 inline bool any_clear(Halves mask) {
   const uint8x8_t bytes = vmovn_u16(as_u16(mask));
   return vget_lane_u64(vreinterpret_u64_u8(bytes), 0) != ~std::uint64_t{0};
@@ -146,7 +146,7 @@ inline std::uint32_t sum(Words words) {
 }
 template <int shift>
 Words upper_products(Words a, Words b) {
-  // The instruction doubles.
+  // The instruction doubles the product.
   if constexpr (shift == 0) return as_words(vshrq_n_s32(vqdmulhq_s32(as_s32(a), as_s32(b)), 1));
   return as_words(vqdmulhq_s32(as_s32(a << (shift - 1)), as_s32(b)));
 }

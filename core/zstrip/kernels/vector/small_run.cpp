@@ -1,5 +1,5 @@
-// Runs of small triangles in vectors: four at a time are culled, and four of those that are left set up and turned into
-// pixels. These are then drawn in the run's order, between the larger ones.
+// Draws runs of small triangles in vectors: culls four at a time, and sets up and draws four of the remaining ones at a
+// time into cells. The cells are then written in the run's order, between the larger triangles.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -19,12 +19,13 @@ namespace {
 
 using namespace vectors;
 
-/// Triangles whose indices a queue has room for; how many are sorted in one go; and how far ahead of those that are
-/// drawn, because a run may stop.
+/// The size of a queue in triangles; how many triangles are sorted at once; and how far ahead of drawing, which is
+/// limited because a run may stop.
 constexpr std::uint16_t kChunk = 512;
 constexpr std::uint32_t kStep = 32, kAhead = 64;
 
-/// Which bits of a number are set, then what is no index; at the end how many are set.
+/// The positions of the set bits of a number, then kChunk, which is not an index; the last element is the number of set
+/// bits.
 using Lanes = std::array<std::uint16_t, 8>;
 constexpr std::array<Lanes, 16> kLanes = [] {
   std::array<Lanes, 16> all{};
@@ -38,18 +39,18 @@ constexpr std::array<Lanes, 16> kLanes = [] {
   return all;
 }();
 
-/// Indices of triangles in a chunk, in order, and behind them no index.
+/// Indices of triangles in a chunk, in ascending order, followed by kChunk, which is not an index.
 class Queue {
  public:
   Queue() { indices_[0] = kChunk; }
   std::uint32_t count() const { return count_; }
   std::uint32_t operator[](std::uint32_t i) const { return indices_[i]; }
-  /// Four, the last one again where there are fewer.
+  /// Returns four indices from `i` on; repeats the last one if there are fewer.
   const std::uint16_t* four_from(std::uint32_t i) {
     for (std::uint32_t end = i + 4, last = count_; last < end; ++last) indices_[last] = indices_[last - 1];
     return indices_ + i;
   }
-  /// Adds those of the triangles `first` to `first` + 3 whose bits are set.
+  /// Adds the triangles among `first` to `first` + 3 whose bits are set.
   void add(std::uint32_t bits, Halves first) {
     const std::uint16_t* const lanes = kLanes[bits].data();
     store_8(indices_ + count_, load_8(lanes) + first);
@@ -61,9 +62,9 @@ class Queue {
   std::uint32_t count_ = 0;
 };
 
-/// Values of a run that are read again and again.
+/// Values of a run that are read for each triangle.
 struct Reader {
-  std::uintptr_t vertices, colours;  ///< of mesh vertex 0
+  std::uintptr_t vertices, colours;  ///< address of mesh vertex 0
 
   explicit Reader(const VectorSmallRun& run)
       : vertices(reinterpret_cast<std::uintptr_t>(run.vertices) - run.first_vertex * sizeof(SnappedVertex)),
@@ -81,7 +82,7 @@ struct Reader {
         sizeof word);
     return word;
   }
-  /// Places and depths of a corner.
+  /// Loads places and depths of a corner of four triangles.
   void load(const std::uint32_t (&corner)[4], Words& place, Words& depth) const {
     const Halves first = load_4_and_4(vertex(corner[0]), vertex(corner[1]));
     const Halves last = load_4_and_4(vertex(corner[2]), vertex(corner[3]));
@@ -90,18 +91,18 @@ struct Reader {
   }
 };
 
-/// Assembler::narrow_area.
+/// Returns Assembler::narrow_area of four triangles.
 Words areas(const Words (&place)[3]) {
   const Halves a = as_halves(place[0]), b = as_halves(place[1]), c = as_halves(place[2]);
   return sums_of_products(c - a, swapped_in_pairs(b - a) * in_all_pairs(1, -1));
 }
 
-/// The part of a strip where narrow triangles are.
+/// The part of a strip within the range of narrow coordinates.
 struct Strip {
-  Halves first, end;              ///< as of Boxes
-  std::uint16_t *depth, *colour;  ///< of its first pixel
+  Halves first, end;              ///< as in Boxes
+  std::uint16_t *depth, *colour;  ///< address of the first pixel
   std::ptrdiff_t depth_stride, colour_stride;
-  bool has_room;  ///< for cells
+  bool has_room;  ///< cells fit into the strip
 
   explicit Strip(const StripTarget& target) : Strip(target, narrow(target.area)) {}
 
@@ -121,13 +122,13 @@ struct Strip {
   }
 };
 
-/// Triangles of a chunk by how they are drawn.
+/// The triangles of a chunk, sorted by the way in which they are drawn.
 struct Sorted {
   Queue all;
-  Queue in_one, in_two;     ///< those of them that lie in one cell, or in two
-  std::uint32_t count = 0;  ///< of these triangles, drawn or not
+  Queue in_one, in_two;     ///< triangles of `all` that fit one cell, or two
+  std::uint32_t count = 0;  ///< number of sorted triangles, visible or not
 
-  /// Sorts some more of `end` triangles. Cannot be inlined: the registers.
+  /// Sorts more triangles, up to `end`. Not inlined, so that it has all registers.
   template <bool gouraud>
   [[gnu::noinline]] void sort(const VectorSmallRun& run, const Strip& strip, const Triangle* triangles,
                               std::uint32_t end) {
@@ -159,7 +160,7 @@ struct Sorted {
       const Halves extent = boxes.end() - boxes.first();
       const Words larger = as_words(greater(extent, in_all_halves(kCellSide)));
       const Words sum = sums_of_products(boxes.greatest - boxes.least, in_all_halves(1));
-      // There the run most likely stops.
+      // The run most likely stops at this triangle.
       ends = upper_bits(faces & greater(sum, in_all_words(kMediumExtent - 1))) != 0;
       const Words too_large = as_words(greater(extent, in_all_halves(2 * kCellSide))) |
                               as_words(larger == in_all_words(0xFFFFFFFF)) |
@@ -172,11 +173,11 @@ struct Sorted {
   }
 };
 
-/// Four triangles of the same number of cells, and where they are drawn.
+/// Four triangles with the same number of cells, and the addresses at which they are drawn.
 template <bool gouraud, std::size_t cells>
 class FourDrawn {
  public:
-  /// Cannot be inlined: the registers.
+  /// Not inlined, so that it has all registers.
   [[gnu::noinline]] void set_up(const VectorSmallRun& run, const Strip& strip, const Triangle* triangles,
                                 const std::uint16_t* indices) {
     const Reader reader(run);
@@ -207,7 +208,7 @@ class FourDrawn {
     far_ = upper_bits(four.far());
 
     const Halves extent = boxes.end() - boxes.first();
-    // A second cell is beside or below the first one.
+    // A second cell lies to the right of the first one, or below it.
     const Words second = as_words(greater(extent, in_all_halves(kCellSide))) & in_all_words(kCellSide * 0x10001);
     const Halves origin =
         signed_min(signed_max(boxes.first(), strip.first),
@@ -231,7 +232,7 @@ class FourDrawn {
     }
   }
 
-  /// False: its depths are too far from each other.
+  /// Returns false if the triangle's depths differ too much.
   [[gnu::always_inline]] bool draw(const Strip& in, std::uint32_t lane) const {
     if ((far_ >> lane & 1) != 0) return false;
     std::uint16_t* const depth = in.depth + depth_at_[lane];
@@ -244,7 +245,7 @@ class FourDrawn {
   }
 
  private:
-  /// rgb565 of colours.
+  /// Converts colours as rgb565 does.
   static Words rgb565_of_words(Words colours) {
     const Words r = (colours & in_all_words(0xF8)) << 8, g = (colours >> 5) & in_all_words(0x07E0);
     return r | g | ((colours >> 19) & in_all_words(0x1F));
@@ -266,13 +267,14 @@ class FourDrawn {
   }
 
   FourCells cells_[cells];
-  std::uint32_t depth_at_[4], colour_at_[4];                ///< from the strip's first ones on
-  std::uint32_t second_depth_at_[4], second_colour_at_[4];  ///< from these on
-  std::uint32_t far_, lower_[cells];                        ///< bits: depths are far; the lower rows have pixels
+  std::uint32_t depth_at_[4], colour_at_[4];                ///< offset from the strip's first pixel
+  std::uint32_t second_depth_at_[4], second_colour_at_[4];  ///< offset from the first cell
+  std::uint32_t far_, lower_[cells];                        ///< bits: depths differ too much; the lower rows have
+                                                            ///< pixels
   std::uint32_t flat_[4];
 };
 
-/// One that lies in more cells, or is medium.
+/// Draws a triangle that needs more than two cells, or is medium.
 template <bool gouraud>
 [[gnu::noinline]] bool draw_one(const VectorSmallRun& run, const Triangle& triangle) {
   const StripTarget& target = run.target;
@@ -285,7 +287,7 @@ template <bool gouraud>
   const Boxes boxes(place[0], place[1], place[2]);
   const auto extents = static_cast<std::int32_t>(sums_of_products(boxes.greatest - boxes.least, in_all_halves(1))[0]);
   if (extents >= kMediumExtent) return false;
-  // rotate_to_first: by y, then x.
+  // Rotates as rotate_to_first does: by y, then x.
   const auto order = [&place](int i) { return static_cast<std::int32_t>(place[i][0] ^ 0x8000); };
   const std::uint32_t first = a;
   if (order(1) < order(0) && order(1) < order(2)) {
@@ -312,28 +314,28 @@ template <bool gouraud>
   return draw_small_flat_vector(small, colour);
 }
 
-/// The next triangle of a queue, and of those that are set up.
+/// The next triangle of a queue and its lane; `lanes` triangles are set up.
 struct Place {
   std::uint32_t place = 0, lane = 0, lanes = 0;
 };
 
-/// draw_small_run_vector of a chunk.
+/// Implements draw_small_run_vector for a chunk.
 template <bool gouraud>
 std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Triangle* triangles,
                          std::uint32_t count) {
   Sorted sorted;
   FourDrawn<gouraud, 1> in_one;
   FourDrawn<gouraud, 2> in_two;
-  // A copy: compilers must assume that stores of lanes change any memory.
+  // This is a copy, because compilers must assume that storing a lane changes any memory.
   const Strip pixels = strip;
-  // Returns true if triangle i, which is the next one of the queue, is drawn; else it is left to draw_one.
+  // Draws triangle i, the next one of the queue, and returns true; or returns false and leaves it to draw_one.
   const auto draws = [&](std::uint32_t i, Queue& queue, Place& next, auto& four) {
     if (next.lane == next.lanes) {
       while (queue.count() - next.place < 4 && sorted.count < std::min(count, i + kAhead)) {
         sorted.sort<gouraud>(run, strip, triangles, count);
       }
       const std::uint32_t lanes = std::min(queue.count() - next.place, std::uint32_t{4});
-      if (lanes == 1) {  // costs more than by itself
+      if (lanes == 1) {  // a set-up for one triangle costs more than draw_one
         ++next.place;
         return false;
       }
@@ -358,7 +360,7 @@ std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Tr
   }
 }
 
-/// Returns true if a run that begins with this triangle ends before it: it is too large.
+/// Returns true if this triangle is too large, so that a run that begins with it would be empty.
 bool ends_at(const VectorSmallRun& run, const Triangle& triangle) {
   const SnappedVertex* const vertices = run.vertices;
   const Words place[3] = {place_of(vertices[triangle.a - run.first_vertex]),

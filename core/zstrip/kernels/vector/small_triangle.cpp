@@ -1,4 +1,4 @@
-// Small triangles in blocks: their planes from the edge functions, all three at once.
+// Draws small triangles in blocks: computes all three planes from the edge functions at once.
 #include "zstrip/kernels/vector/small_triangle.hpp"
 
 #include "zstrip/base/math.hpp"
@@ -18,7 +18,7 @@ Halves channels_of(const Colour& colour) {
   return bytes_of(bits);
 }
 
-/// SmallChannels' planes.
+/// Computes the planes of SmallChannels.
 [[gnu::always_inline]] inline ChannelBlocks channel_blocks(const Weights& weights, std::int32_t inverse_area,
                                                            const Colour* const (&colours)[3], std::int32_t first_column,
                                                            std::int32_t first_row) {

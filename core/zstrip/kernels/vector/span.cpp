@@ -1,4 +1,4 @@
-// Flat and Gouraud spans, eight pixels at a time.
+// Draws flat and Gouraud spans, eight pixels at a time.
 #include "zstrip/kernels/vector/span.hpp"
 
 #include "zstrip/kernels/vector/interpolated.hpp"
@@ -46,7 +46,7 @@ void fill_flat_vector(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t l
 void fill_gouraud_vector(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, const GouraudSpan& span) {
   if (length >= 8) {
     Interpolated z(span.z, span.step_z);
-    // 16.16, so that all that counts of a channel is in the upper half.
+    // Converted to 16.16, so that the upper half has all bits of a channel that are used.
     Interpolated r(span.r << 8, span.step_r << 8);
     Interpolated g(span.g << 8, span.step_g << 8);
     Interpolated b(span.b << 8, span.step_b << 8);

@@ -1,4 +1,4 @@
-// Eight texels at a time: their indices in two vectors, fetched one by one.
+// Draws eight texels at a time: their indices are computed in two vectors, and the texels are fetched one by one.
 #include "zstrip/kernels/vector/textured_run.hpp"
 
 #include "zstrip/geometry/project.hpp"
@@ -12,7 +12,7 @@ using namespace vectors;
 
 namespace {
 
-/// Indices of texels, below 2^16, from coordinates.
+/// Computes indices of texels, below 2^16, from coordinates.
 class Texels {
  public:
   explicit Texels(const WordRunState& run)
@@ -25,7 +25,7 @@ class Texels {
 
  private:
   Halves indices(Words u, Words v) const { return as_halves(((v >> to_row_) & row_mask_) + (u >> to_column_)); }
-  /// Four texels in the lanes from `first` on.
+  /// Fetches four texels into the lanes from `first` on.
   template <int first>
   Halves fetched(Halves texels, Halves indices) const {
     texels[first] = texels_[indices[0]];
@@ -40,14 +40,14 @@ class Texels {
   Words row_mask_;
 };
 
-/// TextureCoordinates::divided: u/w and v/w times w, in words 0 and 2, shifted right by `right`, or left where that is
-/// negative.
+/// Does the same as TextureCoordinates::divided: multiplies u/w and v/w in words 0 and 2 by w and shifts them right by
+/// `right`, or left if `right` is negative.
 Words times_w(Words over_w, const Reciprocal& w, int right) {
   const Words high = upper_products_of_even(over_w, in_all_words(static_cast<std::uint32_t>(w.value)));
   return right >= 0 ? arithmetically_right(high, right < 31 ? right : 31) : high << (right > -31 ? -right : 31);
 }
 
-/// Texels as they are.
+/// Leaves texels unchanged.
 struct Unlit {
   template <class Texels>
   Texels operator()(Texels texels) const {
@@ -55,7 +55,7 @@ struct Unlit {
   }
 };
 
-/// Texels times a light.
+/// Multiplies texels by a light.
 struct Lit {
   OneLight by;
 
@@ -118,7 +118,7 @@ template <class Light>
         [&] { z.next(), u.next(), v.next(); },
         [&](std::int32_t pixels) { z.move(pixels), u.move(pixels), v.move(pixels); });
   } else if (length >= 4) {
-    // Twice, if there are more than four: the second time those at the end.
+    // With more than four pixels this runs twice, the second time for the last four.
     for (std::int32_t at = 0;;) {
       const auto steps = static_cast<std::uint32_t>(at);
       const Words z = stepped_words(run.z + run.step_z * steps, run.step_z);

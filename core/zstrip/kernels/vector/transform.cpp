@@ -1,4 +1,5 @@
-// Four vertices at a time. Only the divisions are done one after the other, while the four before are finished.
+// Transforms four vertices at a time. Only the divisions are done one by one, while the previous four vertices are
+// finished.
 #include "zstrip/kernels/vector/transform.hpp"
 
 #include <algorithm>
@@ -15,14 +16,15 @@ using namespace vectors;
 
 namespace {
 
-/// project_narrow of four vertices. All that it reads are copies: compilers must assume that what it stores changes any
-/// memory.
+/// Does the same as project_narrow for four vertices. All values that it reads are copies, because compilers must
+/// assume that its stores change any memory.
 class FourVertices {
  public:
   FourVertices(const CompiledInstance& instance, const RasterOrigin& origin)
       : FourVertices(instance, origin, NarrowProjection<false>(instance, origin)) {}
 
-  /// Four vertices whose reciprocals are on their way: a processor divides beside what does not need the quotient.
+  /// Four vertices whose reciprocals are being computed: a processor divides while it executes code that does not need
+  /// the quotient.
   struct Begun {
     FourPositions at;
     Words w, reciprocals;
@@ -31,8 +33,8 @@ class FourVertices {
   [[gnu::always_inline]] Begun begin(const Position* positions) const {
     const FourPositions at(positions);
     const Words w = w_.at(at);
-    const Words divisors = w - as_words(w == Words{});  // 0 is not narrow, but no divisor
-    // reciprocal_of: the divisions one after the other.
+    const Words divisors = w - as_words(w == Words{});  // w = 0 is not narrow, but must not be a divisor
+    // reciprocal_of: the divisions come one after the other.
     const Normalised n[4] = {Normalised(divisors[0]), Normalised(divisors[1]), Normalised(divisors[2]),
                              Normalised(divisors[3])};
     const Words first = Words{n[0].quotient, n[1].quotient, n[2].quotient, n[3].quotient} << 14;
@@ -40,7 +42,7 @@ class FourVertices {
     return {at, w, unsigned_upper_products(first, (in_all_words(kSign) - product) << 1) << 1,
             Words{n[0].shift, n[1].shift, n[2].shift, n[3].shift}};
   }
-  /// Returns a mask: zeros for those that are narrow.
+  /// Returns a mask that is 0 for vertices that are narrow.
   [[gnu::always_inline]] Words finish(const Begun& begun, SnappedVertex* vertices) const {
     const FourShifts shifts(begun.normalisations);
     const Words w = begun.w, reciprocals = begun.reciprocals;
@@ -81,7 +83,7 @@ class FourVertices {
         depth_shift_(instance.depth_shift),
         depth_normalisation_(instance.depth_normalisation) {}
 
-  /// The values that reciprocal_of finds first.
+  /// The values that reciprocal_of computes first.
   struct Normalised {
     std::uint32_t shift;  ///< FourShifts::of
     std::uint32_t divisor, quotient;
@@ -94,12 +96,12 @@ class FourVertices {
       quotient = quotient_32(divisor >> 16);
     }
   };
-  /// Makes unsigned words signed ones in the same order.
+  /// Added to unsigned words, it makes signed words with the same order.
   static constexpr std::uint32_t kSign = std::uint32_t{1} << 31;
 
   Coordinate x_, y_;
   FormOfFour w_;
-  Words w_near_, w_range_;  ///< NarrowProjection's, with kSign
+  Words w_near_, w_range_;  ///< from NarrowProjection, with kSign
   Words depth_scale_, depth_offset_;
   std::int32_t depth_shift_, depth_normalisation_;
 };
@@ -113,7 +115,7 @@ bool transform_vertices_vector(const CompiledInstance& instance, const RasterOri
   std::uint32_t first = 0;
   FourVertices::Begun begun = four.begin(positions);
   for (;;) {
-    // The last four may have been transformed in part.
+    // Some of the last four vertices may already be transformed.
     const std::uint32_t next = std::min(first + kVectorVertices, count - kVectorVertices);
     const FourVertices::Begun following = four.begin(positions + next);
     outside |= four.finish(begun, vertices + first);

@@ -1,4 +1,5 @@
-// Vectors of 16 bytes, eight halves or four words, both modulo their size; and what is made of their operators alone.
+// Vectors of 16 bytes, eight halves or four words, both modulo their size; and the functions that need only their
+// operators.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +39,7 @@ inline std::uint32_t pair_of(std::int32_t low, std::int32_t high) {
 }
 inline Halves in_all_pairs(std::int32_t low, std::int32_t high) { return as_halves(in_all_words(pair_of(low, high))); }
 
-/// A value that is in a register from here on. Left alone, GCC mixes what is independent, and runs out of registers.
+/// Keeps a value in a register from here on. Otherwise GCC mixes independent code and runs out of registers.
 template <class Vector>
 Vector settled(Vector vector) {
 #if ZSTRIP_HAS_SSE2
@@ -69,7 +70,7 @@ inline Halves greater(Halves a, Halves b) {
   return as_halves(__builtin_bit_cast(Signed, a) > __builtin_bit_cast(Signed, b));
 }
 
-/// A value in the pixels of a block of four columns and two rows, from its steps a pixel.
+/// Returns a value in the pixels of a block of four columns and two rows, from its steps a pixel.
 inline Halves stepped_halves(Halves start, Halves step_x, Halves step_y) {
   return start + step_x * Halves{0, 1, 2, 3, 0, 1, 2, 3} + step_y * Halves{0, 0, 0, 0, 1, 1, 1, 1};
 }

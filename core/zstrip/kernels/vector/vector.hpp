@@ -1,5 +1,4 @@
-// The language of the kernels in vectors: two types, their operators, and functions of the instruction set at
-// hand.
+// The language of the kernels in vectors: two types, their operators, and functions of the instruction set.
 #pragma once
 
 #include "zstrip/kernels/vector/neon.hpp"
@@ -12,7 +11,7 @@
 
 namespace zstrip::detail::vectors {
 
-/// start, start + step, start + 2 step, start + 3 step.
+/// Returns start, start + step, start + 2 step, start + 3 step.
 inline Words stepped_words(std::uint32_t start, std::uint32_t step) {
   return in_all_words(start) + multiples_0_to_3(in_all_words(step));
 }
