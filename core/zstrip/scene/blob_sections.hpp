@@ -115,7 +115,7 @@ struct BaseRecord {
 struct PictureRecord {
   std::uint16_t width, height;
   std::uint8_t format, dither, samples;
-  std::uint8_t effects;  ///< index into kPictureEffects, not one that is_gone
+  std::uint8_t effects;  ///< index into kPictureEffects; is_gone must be false for it
 };
 /// True for the numbers of removed depth formats: w16, z32.
 constexpr bool is_gone(std::uint8_t effects) { return effects == 5 || effects == 7; }
@@ -141,7 +141,7 @@ struct Records {
   std::span<const FontRecord> fonts;
   std::span<const LabelRecord> labels;
   std::span<const Sprite> sprites;
-  // The tables below hold the data of all meshes, textures, sets of lines and of edges, images, fonts and labels.
+  // These tables hold the data of all meshes, textures, sets of lines and of edges, images, fonts and labels.
   std::span<const Position> positions;
   std::span<const Normal> normals;
   std::span<const Colour> colours;

@@ -12,7 +12,7 @@ namespace zstrip {
 struct BspNode {
   std::int32_t x, y, z;          ///< the plane's normal, 2.30 of the mesh's bounding box: positions are 1.15
   std::int32_t distance;         ///< 2.30; positions with normal * position > distance are in front
-  std::uint32_t first_triangle;  ///< of the mesh
+  std::uint32_t first_triangle;  ///< first triangle, an index into the mesh's triangles
   std::uint32_t front, back;
   std::uint32_t parent;  ///< 0 for the root, which is the first node
 };

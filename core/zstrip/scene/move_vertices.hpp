@@ -1,4 +1,4 @@
-// The vertices of a skin, moved by the matrices of its joints.
+// Moves the vertices of a skin by the matrices of its joints.
 #pragma once
 
 #include <cstddef>

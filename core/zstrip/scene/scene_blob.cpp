@@ -102,7 +102,7 @@ class Reader {
     (*this)(tag, where);
     require(where != nullptr, next_);
   }
-  /// To be called after the last known section.
+  /// Call it after the last known section.
   void finish() {
     (void)take(0xFFFFFFFF, 1);
     require(next_ == end_, next_);

@@ -21,7 +21,7 @@ std::uint32_t square_of(const std::int16_t (&q)[4]) {
   return sum;
 }
 
-/// Normalises a quaternion and stores it in 1.15. A quaternion of length 0 does not change the pose.
+/// Normalises a quaternion and stores it in 1.15. With a quaternion of length 0 the pose keeps its rotation.
 void set_rotation(JointPose& pose, const Quaternion& q) {
   const std::int64_t components[4] = {q.x, q.y, q.z, q.w};
   std::uint64_t square = 0;  // 4.60

@@ -1,4 +1,4 @@
-// Motion of a scene without an animation over several frames: a rotation by 360 degrees about the world's y axis.
+// The motion of a scene without an animation, over several frames: a rotation by 360 degrees about the world's y axis.
 #pragma once
 
 #include <cstdint>

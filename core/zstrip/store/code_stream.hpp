@@ -59,7 +59,7 @@ class CodeReader {
   std::uint32_t missing_ = 0;    ///< bytes read after the end
 };
 
-/// Precondition: the codes fit into the record.
+/// The codes must fit into the record.
 class CodeWriter {
  public:
   explicit CodeWriter(std::uint8_t* next) : next_(next) {}

@@ -55,7 +55,7 @@ template <std::uint32_t form_index>
   return {low << (16 - kForm.start_fraction), slope(x), slope(high)};
 }
 
-/// Returns false if no form has this size.
+/// Reads a plane. Returns false if no form has this size.
 [[gnu::always_inline]] inline bool read_plane(const std::uint8_t* bytes, std::size_t size, std::uint32_t more_fraction,
                                               DecodedPlane& plane) {
   static_assert(kPlaneForms[0].bytes == 5 && kPlaneForms[1].bytes == 6 && kPlaneForms[2].bytes == 8);

@@ -42,7 +42,7 @@ void write_raw(const CoveredCells& tile, std::uint8_t* next) {
 class FieldWriter {
  public:
   explicit FieldWriter(std::uint8_t* next) : next_(next) {}
-  /// 1 <= width <= 24.
+  /// Appends the low `width` bits; 1 <= width <= 24.
   void append(std::uint32_t field, std::uint32_t width) {
     bits_ |= (field & ((1U << width) - 1)) << pending_;
     for (pending_ += width; pending_ >= 8; pending_ -= 8, bits_ >>= 8) *next_++ = static_cast<std::uint8_t>(bits_);
@@ -75,7 +75,7 @@ struct Coded {
   std::array<std::int16_t, kTileCells> codes{};
   std::uint32_t count = 0;
   std::array<std::uint8_t, kTileSide> widths{};  ///< as encoded in the record
-  std::uint32_t bytes = 0;                       ///< after the cover
+  std::uint32_t bytes = 0;                       ///< number of bytes after the cover
 
   std::uint32_t width_at(std::uint32_t code) const { return code_bits(widths[code / kTileSide]); }
 };

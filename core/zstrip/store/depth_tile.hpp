@@ -1,4 +1,4 @@
-// One tile of depth as a record of bytes, without loss. docs/formats.md gives every bit of it.
+// Encodes and decodes one tile of depth as a record of bytes, without loss. docs/formats.md defines every bit.
 #pragma once
 
 #include <cstddef>

@@ -58,7 +58,7 @@ class TileIndex {
   void set_group(std::uint32_t index, std::uint32_t position);
 
   std::span<const std::byte> pool_;
-  std::byte* bytes_ = nullptr;  ///< of the pool, if it may be written; else null
+  std::byte* bytes_ = nullptr;  ///< the bytes of the pool if it may be written; else null
   TileGrid grid_;
   Gap gap_;
 };

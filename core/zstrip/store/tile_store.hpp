@@ -37,7 +37,7 @@ class TileReader {
   /// Decodes a tile into grid().tile_width(tx) x grid().tile_height(ty) cells. Error::store_range if there is no such
   /// tile; Error::store_damaged if its bytes are not a record: its cells may then have any value.
   Status read_tile(std::uint32_t tx, std::uint32_t ty, std::uint16_t* cells, std::uint32_t stride) const;
-  /// Decodes whole rows; cheapest if they are whole tiles. Stops at the first damaged tile.
+  /// Decodes whole rows; fastest if they are whole tiles. Stops at the first damaged tile.
   Status read_rows(const RowsView<std::uint16_t>& rows) const;
   /// Checks that each tile's record lies at its position in the index, does not overlap another, and can be decoded.
   Status validate() const;
@@ -62,10 +62,10 @@ class TileStore : public TileReader {
   Status reset(std::span<std::byte> pool, std::uint32_t width, std::uint32_t height);
 
   /// Encodes a tile of grid().tile_width(tx) x grid().tile_height(ty) cells, and replaces its old record. Tiles may be
-  /// written in any order, and repeatedly; the order of rows is the cheapest. Error::store_range; Error::store_full if
+  /// written in any order, and repeatedly; the order of rows is the fastest. Error::store_range; Error::store_full if
   /// there is no room for the record (`needed`, `available` in bytes of the whole pool): then no tile has changed.
   Status write_tile(std::uint32_t tx, std::uint32_t ty, const std::uint16_t* cells, std::uint32_t stride);
-  /// Encodes whole rows. Tiles that are larger than these rows keep their other rows. Cheapest if the rows are whole
+  /// Encodes whole rows. Tiles that are larger than these rows keep their other rows. Fastest if the rows are whole
   /// tiles. Stops at the first tile without room: the tiles before it are written, this tile and the tiles after it are
   /// not.
   Status write_rows(const RowsView<const std::uint16_t>& rows);

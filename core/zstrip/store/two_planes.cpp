@@ -71,7 +71,7 @@ Cover near(const CoveredCells& tile, const Guess& guess) {
   return cover;
 }
 
-/// Returns the best guess among the corners that are not in `cover`; nullptr if all are.
+/// Returns the best guess among the corners that are not in `cover`; nullptr if all corners are in it.
 const Guess* best_outside(const std::array<Guess, 4>& guesses, const Cover& cover) {
   const Guess* best = nullptr;
   for (const Guess& guess : guesses) {
@@ -90,7 +90,7 @@ std::uint32_t cells_outside(const CoveredCells& tile, const Cover& a, const Cove
   return cells;
 }
 
-/// Returns the cells that a plane gives exactly, with the decoder's arithmetic.
+/// Returns the cells for which a plane gives the exact value, with the decoder's arithmetic.
 Cover given(const CoveredCells& tile, const FittedPlane& plane) {
   const std::uint32_t up = 16U - plane.form->start_fraction, slope_up = up - plane.more_fraction;
   const std::uint32_t step_x = static_cast<std::uint32_t>(plane.slope_x) << slope_up;

@@ -1,4 +1,4 @@
-// The order in which a tree gives its triangles to an eye.
+// Walks a tree's triangles in the order for an eye.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 namespace zstrip::detail {
 
-/// Where the camera is, or with an orthographic one from where it looks, in the mesh's bounding box.
+/// The position of the camera in the mesh's bounding box; for an orthographic camera the direction from which it looks.
 struct BspEye {
   std::int64_t x, y, z;  ///< 48.16 half extents, within +-8192
   bool is_direction;
 };
-/// For a transform of rotation, uniform scale and translation.
+/// Computes the eye for a transform of rotation, uniform scale and translation.
 [[gnu::noinline]] inline BspEye bsp_eye(const Mesh& mesh, const Transform& transform, const Camera& camera) {
   const bool is_direction = camera.projection == Projection::orthographic;
   const Fixed eye[3] = {camera.eye.x, camera.eye.y, camera.eye.z};
@@ -29,14 +29,14 @@ struct BspEye {
   squared_scale = std::max<std::int64_t>(squared_scale >> 16, 1);  // 16.16
   std::int64_t result[3];
   for (int axis = 0; axis < 3; ++axis) {
-    // The inverse of a rotation with a scale is its transpose by the square of the scale.
+    // The inverse of a rotation with a scale is its transpose divided by the square of the scale.
     std::int64_t along = 0;  // 32.32; with a direction 18.46 >> 14
     for (int row = 0; row < 3; ++row) {
       const std::int64_t from = is_direction ? back[row] >> 14 : std::int64_t{eye[row]} - transform.m[row][3];  // 17.16
       along += from * transform.m[row][axis];
     }
     const std::int64_t object = along / squared_scale - (is_direction ? 0 : centre[axis]);  // 48.16
-    // A flat box: the eye is where the only plane is, or far on either side.
+    // In a flat box the eye lies on the only plane, or far away on either side.
     constexpr std::int64_t kFarthest = std::int64_t{1} << 29;
     const std::int64_t in_box = half[axis] > 0
                                     ? std::clamp(object, -(kFarthest << 16), kFarthest << 16) * 65536 / half[axis]
@@ -48,13 +48,13 @@ struct BspEye {
 
 /// True if the eye is in front of the node's plane.
 constexpr bool lies_in_front(const BspNode& node, const BspEye& eye) {
-  // 2.30 by 14.16, three terms: below 2^63.
+  // 2.30 times 14.16, three terms: below 2^63.
   const std::int64_t side = node.x * eye.x + node.y * eye.y + node.z * eye.z;
   return side > (eye.is_direction ? 0 : std::int64_t{node.distance} * 65536);
 }
 
-/// Calls visit(first, count) for the runs of triangles from far to near, until it returns false, which is then the
-/// result; also false if the tree is none for a mesh of so many triangles.
+/// Calls visit(first, count) for the runs of triangles from far to near, until it returns false. Returns false then,
+/// and also if the tree is not one for a mesh with this number of triangles.
 template <class Visit>
 bool for_each_bsp_run(const BspTree& tree, const BspEye& eye, std::size_t triangles, const Visit& visit) {
   const std::span<const BspNode> nodes = tree.nodes;
@@ -81,7 +81,7 @@ bool for_each_bsp_run(const BspTree& tree, const BspEye& eye, std::size_t triang
       continue;
     }
     if (index == 0) return visited == nodes.size();
-    const BspNode& parent = nodes[node.parent];  // which has this child: it was entered from there
+    const BspNode& parent = nodes[node.parent];  // the walk entered this child from its parent
     from = index == (lies_in_front(parent, eye) ? parent.back : parent.front) ? From::far : From::near;
     index = node.parent;
   }

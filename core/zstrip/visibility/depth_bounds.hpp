@@ -1,9 +1,9 @@
-// Bounds of the depth in 8x8 tiles of a strip's z-buffer and a pyramid of farthest depths above them: what is hidden
-// for certain, without a look at every cell (Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility", 1993).
+// Bounds of the depth in the 8x8 tiles of a strip's z-buffer, and a pyramid of farthest depths above them. They find
+// hidden boxes without reading every cell (Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility", 1993).
 //
-// Depth in the z-buffer only grows, greater is nearer, unless a material has a test of its own: then what it touches is
-// forgotten. So a farthest depth that was true stays a bound; it is found again, lazily, when a tile is tested
-// into which as many fragments have been drawn since as it has cells.
+// Greater codes are nearer, and codes in the z-buffer only grow, unless a material has a depth test of its own: then
+// the bounds of the tiles that it touches are forgotten. So a farthest depth that was once exact stays a bound. It is
+// computed again only when a tile is tested after as many fragments as it has cells were drawn into it.
 #pragma once
 
 #include <algorithm>
@@ -18,27 +18,28 @@ namespace zstrip::detail {
 
 class DepthBounds {
  public:
-  /// The tiles of a z-buffer that was just cleared; `area` in raster pixels, `memory` of
+  /// Begins with the tiles of a z-buffer that was just cleared. `area` in raster pixels; `memory` has
   /// depth_bounds_bytes(area.width(), area.height()).
   void begin(std::byte* memory, const Rect& area, const std::uint16_t* cells);
 
-  /// True if every cell of `box` (raster pixels inside the area, not empty) holds a code that is not smaller than
-  /// `nearest`: nothing there can be seen.
+  /// True if every cell of `box` (raster pixels inside the area, not empty) holds a code of at least `nearest`, so that
+  /// nothing in it is visible.
   bool hides(const Rect& box, std::uint32_t nearest, VisibilityStatistics* counts);
-  /// True if every cell of `box` holds a code smaller than `farthest`: all there is seen.
+  /// True if every cell of `box` holds a code smaller than `farthest`, so that everything in it is visible.
   bool lies_behind(const Rect& box, std::uint32_t farthest, VisibilityStatistics* counts) const;
-  /// Fragments with codes up to `nearest` may be drawn into `box`.
+  /// Records that fragments with codes up to `nearest` may be drawn into `box`.
   void cover(const Rect& box, std::uint32_t nearest);
-  /// Whatever may be drawn into `box`, farther codes too: nothing is known of its tiles until they are read again.
+  /// Records that fragments with any codes may be drawn into `box`: nothing is known about its tiles until they are
+  /// read again.
   void forget(const Rect& box);
 
-  /// Calls draw(first, length) for the parts of a run of pixels that no tile hides: column `first` from the run's left
+  /// Calls draw(first, length) for the parts of a run of pixels that no tile hides; `first` counts from the run's left
   /// end. The depth of pixel i is value + i * step, 16.16 codes, modulo 2^32.
   template <class Draw>
   void for_each_shown(std::int32_t row, std::int32_t left, std::int32_t length, std::uint32_t value, std::uint32_t step,
                       VisibilityStatistics* counts, const Draw& draw) {
     const std::int32_t y = (row - area_.top) >> kDepthTileShift;
-    std::int32_t shown = 0;  // pixels before `at` that wait to be drawn
+    std::int32_t shown = 0;  // visible pixels before `at` that are not yet drawn
     std::int32_t at = 0;
     while (at < length) {
       const std::int32_t column = left + at - area_.left;
@@ -60,7 +61,7 @@ class DepthBounds {
     if (shown != 0) draw(length - shown, shown);
   }
 
-  /// Farthest code known of the tile with this raster pixel.
+  /// Returns the farthest code known for the tile of this raster pixel.
   std::uint16_t farthest_at(std::int32_t column, std::int32_t row) const {
     return tiles_[((row - area_.top) >> kDepthTileShift) * across_[0] + ((column - area_.left) >> kDepthTileShift)]
         .farthest;
@@ -68,9 +69,9 @@ class DepthBounds {
 
  private:
   struct Tile {
-    std::uint16_t farthest;  ///< at most the farthest code of the tile's cells
-    std::uint16_t nearest;   ///< at least the nearest
-    std::uint8_t pending;    ///< cells that were covered since `farthest` was found; 255: that many or more
+    std::uint16_t farthest;  ///< not greater than the farthest code of the tile's cells
+    std::uint16_t nearest;   ///< not smaller than the nearest code of the tile's cells
+    std::uint8_t pending;    ///< cells that were covered since `farthest` was computed; 255: that many or more
     std::uint8_t unused;
   };
   static_assert(sizeof(Tile) == kDepthTileBytes);
@@ -82,7 +83,7 @@ class DepthBounds {
     tile.pending = static_cast<std::uint8_t>(std::min<std::uint32_t>(255, tile.pending + cells));
     tile.nearest = static_cast<std::uint16_t>(std::max<std::uint32_t>(tile.nearest, nearest));
   }
-  /// Nodes (level > 0) or tiles that hold the box; inclusive.
+  /// Returns the nodes (level > 0) or tiles that contain the box; inclusive.
   Rect nodes_of(const Rect& box, int level) const {
     const std::uint32_t shift = kDepthTileShift + static_cast<std::uint32_t>(level);
     return {(box.left - area_.left) >> shift, (box.top - area_.top) >> shift, (box.right - 1 - area_.left) >> shift,
@@ -96,14 +97,14 @@ class DepthBounds {
     return tile.farthest >= nearest;
   }
   bool level_hides(const Rect& nodes, int level, std::uint32_t nearest, VisibilityStatistics* counts);
-  /// Finds the farthest code of a tile again, and of the nodes above it.
+  /// Computes the farthest code of a tile again, and those of the nodes above it.
   void read(Tile& tile, std::int32_t x, std::int32_t y, VisibilityStatistics* counts);
   std::uint32_t farthest_below(int level, std::int32_t x, std::int32_t y) const;
 
   Rect area_{};
   const std::uint16_t* cells_ = nullptr;
   Tile* tiles_ = nullptr;
-  std::uint16_t* nodes_[kMaxLevels] = {};  ///< of each level above the tiles; [0] is not used
+  std::uint16_t* nodes_[kMaxLevels] = {};  ///< nodes of each level above the tiles; [0] is not used
   std::int32_t across_[kMaxLevels] = {}, down_[kMaxLevels] = {};
   int levels_ = 0;
 };
@@ -146,7 +147,7 @@ class DepthBounds {
 }
 
 [[gnu::noinline]] inline bool DepthBounds::hides(const Rect& box, std::uint32_t nearest, VisibilityStatistics* counts) {
-  constexpr std::int32_t kMaxNodes = 16;  // of a level that is looked at in full
+  constexpr std::int32_t kMaxNodes = 16;  // of a level that is searched completely
   int level = 0;
   Rect nodes = nodes_of(box, 0);
   while (level + 1 < levels_ && (nodes.width() > 1 || nodes.height() > 1)) nodes = nodes_of(box, ++level);
@@ -177,7 +178,7 @@ class DepthBounds {
     for (std::int32_t x = tiles.left; x <= tiles.right; ++x) {
       const std::int32_t left = std::max(box.left, area_.left + 8 * x);
       const std::int32_t right = std::min(box.right, area_.left + 8 * x + 8);
-      // A triangle is half of its box.
+      // A triangle covers half of its box.
       add(tile_at(x, y), static_cast<std::uint32_t>((right - left) * (bottom - top) + 1) / 2, nearest);
     }
   }

@@ -36,7 +36,7 @@ inline constexpr Effects kAlternatives[] = {
 
 inline constexpr Effects kAll = method::any;
 
-/// True if orders come with the painter: only it has any.
+/// True if an order is combined with the painter, the only method that uses orders.
 constexpr bool has_what_it_needs(Effects effects) {
   return effects.has(method::painter) || !effects.any(method::orders);
 }

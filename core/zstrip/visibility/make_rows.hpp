@@ -1,4 +1,4 @@
-// Makes rows of pipelines with a visibility method and all effects that it does not refuse; they can count and cull.
+// Makes rows of pipelines with a visibility method and all effects that it supports; they can count and cull.
 #pragma once
 
 #include "zstrip/effects/exclusions.hpp"
@@ -17,7 +17,7 @@ constexpr auto rows_with() {
   return pipeline_rows<everything_with<methods>()..., everything_with<methods>() | effect::orthographic...>();
 }
 
-/// Most scenes with a method, without what counts, as on a device.
+/// Returns pipelines for most scenes with a method, without statistics, as in firmware.
 std::span<const PipelineRow> rows_of_measured_methods();
 
 }  // namespace zstrip::detail

@@ -23,7 +23,7 @@ struct MethodStage {
   static void begin_strip([[maybe_unused]] FrameState& frame, [[maybe_unused]] StripTarget& target) {
     if constexpr (effects.methods != 0) begin_strip(static_cast<MethodFrameState&>(frame), effects, target);
   }
-  /// Checks and lays out what a method has; everything else of the frame has been prepared.
+  /// Checks and lays out a method's data, after all other parts of the frame are prepared.
   static Status begin_frame(MethodFrameState& frame, Effects effects, Effects called_for, const SceneCounts& counts,
                             std::span<std::byte> arena);
   static void begin_strip(MethodFrameState& frame, Effects effects, StripTarget& target);

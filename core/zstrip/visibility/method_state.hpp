@@ -1,4 +1,4 @@
-// The state of a visibility method while a strip is drawn: where stages and pixel loops find it.
+// The state of a visibility method while a strip is drawn; stages and pixel loops read it.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ namespace zstrip::detail {
 
 struct MethodState {
   VisibilityStatistics* counts = nullptr;  ///< null without effect::statistics
-  DepthBounds bounds;                      ///< of method::bounded, of the strip being drawn
+  DepthBounds bounds;                      ///< bounds of method::bounded for the current strip
   std::uint8_t iterations = 0;
   bool cull_small = true;
   bool keeps_order = false;                   ///< some material has a depth test, write or bias of its own
-  const std::uint16_t* first_cell = nullptr;  ///< of the strip's z-buffer; of its pixels with the painter
+  const std::uint16_t* first_cell = nullptr;  ///< first cell of the strip's z-buffer; with the painter, first pixel
   std::uint8_t* overdraw = nullptr;           ///< VisibilityOptions::overdraw
 };
 

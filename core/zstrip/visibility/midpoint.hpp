@@ -1,6 +1,7 @@
-// Midpoint subdivision: a triangle is split at its centroid into three, again and again, and each piece is drawn or
-// rejected by the depths of its vertices and its centroid against the z-buffer ("improving z-buffering", see
-// docs/visibility.md). Pieces have the whole triangle's planes: only which piece covers which pixels is decided here.
+// Midpoint subdivision: splits a triangle at its centroid into three pieces, repeatedly, and draws or rejects each
+// piece by comparing the depths of its vertices and its centroid with the z-buffer ("improving z-buffering", see
+// docs/visibility.md). Pieces use the whole triangle's planes: subdivision only decides which piece covers which
+// pixels.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 
 namespace zstrip::detail {
 
-/// A corner of a piece, and what the z-buffer has said of it.
+/// A corner of a piece, and the result of its comparison with the z-buffer.
 struct PieceCorner {
   enum class Place : std::uint8_t { unknown, in_front, behind };
   std::int32_t x, y;    ///< 28.4 raster coordinates
@@ -29,14 +30,14 @@ struct Piece {
     return {std::min({a.x, b.x, c.x}) >> 4, std::min({a.y, b.y, c.y}) >> 4, std::max({a.x, b.x, c.x}) >> 4,
             std::max({a.y, b.y, c.y}) >> 4};
   }
-  /// Twice the area, with the sign of the triangle that it is cut from.
+  /// Returns twice the area, with the sign of the whole triangle's.
   std::int64_t area() const {
     const PieceCorner &a = corners[0], &b = corners[1], &c = corners[2];
     return std::int64_t{c.x - a.x} * (b.y - a.y) - std::int64_t{b.x - a.x} * (c.y - a.y);
   }
 };
 
-/// Decides for one triangle. `mode` is the fragments' with the method.
+/// Decides for one triangle. `mode` is the fragments' mode with the method.
 template <DepthMode mode>
 class MidpointSplitter {
  public:
@@ -44,12 +45,12 @@ class MidpointSplitter {
 
   explicit MidpointSplitter(const TargetFor<mode>& target) : target_(target), counts_(target.method->counts) {}
 
-  /// Calls draw(piece, use) for all pieces that are to be drawn: they share no pixel.
+  /// Calls draw(piece, use) for all pieces to draw. Pieces share no pixel.
   template <class Draw>
   void for_each_piece(const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2, const Draw& draw) {
     nearest_ = std::max({v0.depth, v1.depth, v2.depth}) >> 16;
     farthest_ = std::min({v0.depth, v1.depth, v2.depth}) >> 16;
-    // A level takes one piece and leaves three.
+    // Each level takes one piece and adds three.
     Piece waiting[2 * kMaxIterations + 1];
     std::uint32_t count = 1;
     waiting[0] = {{corner(v0), corner(v1), corner(v2)}, 0};
@@ -77,7 +78,7 @@ class MidpointSplitter {
 
   Rect cut(const Rect& box) const { return box.cut_to(target_.area); }
 
-  /// Compares a depth with the cell of the pixel that it lies in; unknown outside the strip.
+  /// Compares a depth with the cell of its pixel; unknown outside the strip.
   PieceCorner sampled(std::int32_t x, std::int32_t y, std::uint32_t depth) {
     using enum PieceCorner::Place;
     const std::int32_t column = (x - kCentreBias) >> 4;
@@ -117,7 +118,7 @@ class MidpointSplitter {
     return Decision::tested;
   }
 
-  /// Not where the pieces would be smaller than pixels, or the rounded centroid is not inside.
+  /// False if the pieces would be smaller than pixels, or the rounded centroid lies outside the piece.
   static bool can_split(const Piece& piece, const PieceCorner& centroid) {
     if (piece.area() < 3 * 2 * 256) return false;
     for (int i = 0; i < 3; ++i) {

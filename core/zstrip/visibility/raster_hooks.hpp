@@ -1,4 +1,4 @@
-// The parts of triangles and runs that a visibility method draws: hooks of the pixel loops.
+// Hooks of the pixel loops, through which a visibility method selects the parts of triangles and runs to draw.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace zstrip::detail::methods {
 
-/// Calls draw(run) for the parts of a span that the method has not found hidden.
+/// Calls draw(run) for the parts of a span that the method has not found to be hidden.
 template <DepthMode mode, class Depth, class Draw>
 void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::int32_t row, std::int32_t left,
                         const Span<std::uint16_t>& span, const Draw& draw) {
@@ -27,8 +27,8 @@ void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::
       });
 }
 
-/// Calls draw(piece, use) for the pieces of a triangle that the method has not found hidden. Defined in midpoint.hpp,
-/// which zstrip/visibility.hpp has.
+/// Calls draw(piece, use) for the pieces of a triangle that the method has not found to be hidden. Defined in
+/// midpoint.hpp, which zstrip/visibility.hpp includes.
 template <DepthMode mode, class Draw>
 void for_each_piece(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
                     const RasterVertex& v2, const Draw& draw);

@@ -1,4 +1,4 @@
-// The pipelines by which a visibility method is measured: most scenes, and nothing counts.
+// The pipelines with which visibility methods are measured: most scenes, without statistics.
 #include "zstrip/visibility/make_rows.hpp"
 
 namespace zstrip::detail {

@@ -4,7 +4,7 @@
 namespace zstrip {
 
 void use_visibility_methods() {
-  /// The first is culling alone.
+  /// The first one has only culling.
   static constexpr auto kRows =
       detail::rows_with<Effects{}, method::painter, method::painter | method::in_order, method::painter | method::bsp,
                         method::front_to_back, method::hierarchical_z, method::front_to_back | method::hierarchical_z,

@@ -1,5 +1,5 @@
-// The stages that visibility methods add to a frame: sorting triangles, drawing them in order, leaving out what cannot
-// be seen before its vertices are transformed.
+// The stages that visibility methods add to a frame: they sort triangles, draw them in order, and skip invisible
+// meshlets before their vertices are transformed.
 #pragma once
 
 #include <algorithm>
@@ -51,7 +51,7 @@ namespace zstrip::detail {
 }
 
 [[gnu::noinline]] inline void MethodStage::begin_strip(MethodFrameState& frame, Effects effects, StripTarget& target) {
-  // Without depth memory the pixel's own address identifies it; nothing is read or written through it.
+  // Without depth memory the pixel's address identifies it; it is not used to read or write.
   if (effects.has(method::painter)) target.depth = target.colour;
   const auto cells = static_cast<std::uint32_t>(target.area.width() * target.area.height());
   frame.state.first_cell = target.depth;
@@ -61,7 +61,7 @@ namespace zstrip::detail {
     frame.state.bounds.begin(frame.depth_bounds, target.area, target.depth);
 }
 
-/// True if the options leave out a meshlet in the whole frame: it is not in the visible set, or its sphere is not in
+/// True if the options exclude a meshlet from the whole frame: it is not in the visible set, or its sphere is outside
 /// the picture.
 template <Effects effects>
 bool MethodStage::is_left_out(FrameState& base, std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
@@ -71,7 +71,7 @@ bool MethodStage::is_left_out(FrameState& base, std::uint32_t number, std::uint3
   if (!frame.options.cull_by_spheres) return false;
   const CompiledInstance& compiled = frame.instances[instance];
   if constexpr (effects.has(effect::outlines)) {
-    if (is_outline(compiled)) return false;  // its vertices leave their spheres
+    if (is_outline(compiled)) return false;  // the vertices of a hull lie outside the spheres
   }
   const Mesh& mesh = frame.scene->meshes[compiled.mesh];
   if (mesh.meshlets.empty()) return false;
@@ -80,7 +80,7 @@ bool MethodStage::is_left_out(FrameState& base, std::uint32_t number, std::uint3
       .box.empty();
 }
 
-/// True if the bounds of the strip's depth hide a meshlet; the whole instance if `meshlet` is null.
+/// True if the strip's bounds of depth hide a meshlet, or the whole instance if `meshlet` is null.
 template <Effects effects>
 bool MethodStage::is_hidden(MethodFrameState& frame, const StripTarget& target, std::uint32_t instance,
                             const Meshlet* meshlet) {
@@ -98,12 +98,12 @@ bool MethodStage::is_hidden(MethodFrameState& frame, const StripTarget& target, 
   return box.empty() || frame.state.bounds.hides(box, bounds.nearest, frame.state.counts);
 }
 
-/// Calls draw(number, instance, meshlet) for the meshlets that bounds of depth do not hide: first for those that were
-/// seen before, whose depth then hides others. What blends comes last in any case, and where materials have rules of
-/// their own for depth everything keeps the scene's order and only those with the usual rule are hidden.
+/// Calls draw(number, instance, meshlet) for the meshlets that bounds of depth do not hide. Meshlets that were visible
+/// before come first, so that their depth hides others. Blended meshlets always come last. If materials have their own
+/// depth rules, all meshlets keep the scene's order, and only those with the default rule can be hidden.
 template <Effects effects, class Draw>
 void MethodStage::draw_seen_first(MethodFrameState& frame, const StripTarget& target, const Draw& draw) {
-  // The last frame's bits, and behind them those that this one finds; a meshlet may be in several strips.
+  // The last frame's bits, followed by those that this frame sets; a meshlet may be in several strips.
   const std::span<std::uint32_t> seen = effects.has(method::culling)
                                             ? frame.options.seen_before.first(frame.options.seen_before.size() / 2)
                                             : std::span<std::uint32_t>{};
@@ -123,7 +123,7 @@ void MethodStage::draw_seen_first(MethodFrameState& frame, const StripTarget& ta
                                                draw(number, instance, meshlet);
                                              });
   }
-  std::uint32_t tested = UINT32_MAX;  // the instance that `hidden` is of
+  std::uint32_t tested = UINT32_MAX;  // the instance to which `hidden` applies
   bool hidden = false;
   GeometryStage::for_each_meshlet<effects>(
       frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t index) {
@@ -151,15 +151,15 @@ void MethodStage::draw_seen_first(MethodFrameState& frame, const StripTarget& ta
       });
 }
 
-/// Finds all front faces that may be in the picture, in the scene's order, with their keys (0 for a tree); with a
-/// z-buffer those of what blends are behind all others, in the plain z-buffer's order.
+/// Collects all front faces that may be in the picture, in the scene's order, with their keys (0 for a tree). With a
+/// z-buffer, blended faces come after all others, in the order of the plain z-buffer.
 template <Effects effects>
 void MethodStage::collect_triangles(MethodFrameState& frame) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
   std::uint32_t count = 0;
   std::uint32_t retained = 0;
   std::uint16_t batches = 0;
-  // Codes begin at 1, in 16.16: what blends has keys below them, that of one instance the same.
+  // Codes begin at 1, in 16.16: blended triangles have smaller keys, which are equal within an instance.
   [[maybe_unused]] std::uint32_t blended_key = kMaxSortedIndex;
   [[maybe_unused]] std::uint32_t blended_instance = UINT32_MAX;
   GeometryStage::for_each_meshlet<effects>(
@@ -173,7 +173,7 @@ void MethodStage::collect_triangles(MethodFrameState& frame) {
         const std::uint32_t cache = binned ? retained : 0;
         const auto batch = GeometryStage::batch_for<effects>(frame, instance, range.first_vertex, cache);
         const bool all_narrow = GeometryStage::transform<effects>(frame, batch, range, cache);
-        // A vertex outside the depth range counts as on its border.
+        // A vertex outside the depth range gets the depth of the range's end.
         [[maybe_unused]] const auto depth = [&](std::uint32_t index) {
           const SnappedVertex& v = batch.vertices[index - range.first_vertex];
           if (v.x != kNotNarrow) return v.depth;
@@ -216,7 +216,7 @@ void MethodStage::collect_triangles(MethodFrameState& frame) {
   frame.sorted_count = count;
 }
 
-/// Gives the triangles that were collected the order of a tree, for the scene's only mesh.
+/// Puts the collected triangles in the order of a tree, for the scene's only mesh.
 template <Effects effects>
 Status MethodStage::key_by_tree(MethodFrameState& frame, const Camera& camera) {
   constexpr Status kNotOfThisScene{.error = Error::visibility, .needed = method::bsp.methods};
@@ -232,7 +232,7 @@ Status MethodStage::key_by_tree(MethodFrameState& frame, const Camera& camera) {
   std::uint32_t place = 0;
   const BspEye eye = bsp_eye(mesh, scene.instances[0].transform, camera);
   const bool whole = for_each_bsp_run(*tree, eye, mesh.triangles.size(), [&](std::uint32_t first, std::uint32_t count) {
-    // They were collected in the mesh's order.
+    // The triangles were collected in the mesh's order.
     SortedTriangle* t = std::lower_bound(frame.sorted, end, first, is_before);
     for (; t != end && number_of(*t) < first + count; ++t) t->key = place++;
     return true;
@@ -240,7 +240,7 @@ Status MethodStage::key_by_tree(MethodFrameState& frame, const Camera& camera) {
   return whole ? Status{} : kNotOfThisScene;
 }
 
-/// Puts the triangles in the method's order and, if binned, lists them in it.
+/// Sorts the triangles in the method's order and, if binned, lists them in that order.
 template <Effects effects>
 Status MethodStage::order_triangles(MethodFrameState& frame, const Camera& camera) {
   collect_triangles<effects>(frame);
@@ -264,7 +264,7 @@ Status MethodStage::order_triangles(MethodFrameState& frame, const Camera& camer
   return {};
 }
 
-/// Transforms the vertices of each triangle again: neighbours in the order rarely share any.
+/// Transforms the vertices of each triangle again, because neighbours in the order rarely share any.
 template <Effects effects>
 void MethodStage::draw_sorted(MethodFrameState& frame, const StripTarget& target, std::uint16_t strip) {
   const StripGrid::Place place = frame.grid.place_of(strip);
@@ -287,7 +287,7 @@ void MethodStage::draw_sorted(MethodFrameState& frame, const StripTarget& target
   }
 }
 
-/// A pass over all triangles that only counts which culling would leave them out, in the order of the tests.
+/// Visits all triangles only to count those that culling excludes, in the order of the tests.
 template <Effects effects>
 void MethodStage::count_culled(MethodFrameState& frame) {
   VisibilityStatistics& counts = frame.counts;

@@ -1,26 +1,26 @@
-// Tells stages and pixel loops, which all renderers have, what a method changes; they name no method themselves.
+// The properties of methods that stages and pixel loops of all renderers ask for, so that these name no method.
 #pragma once
 
 #include "zstrip/visibility/methods.hpp"
 
 namespace zstrip::detail::methods {
 
-/// Has no z-buffer.
+/// True for methods without a z-buffer.
 constexpr bool has_no_depth(Effects effects) { return effects.has(method::painter); }
-/// Keeps bounds of the depth in tiles, which whatever is drawn has to change.
+/// True for methods that keep bounds of the depth of tiles; all drawing code must update these.
 constexpr bool keeps_bounds(Effects effects) { return effects.any(method::bounded); }
-/// Looks at the bounds for meshlets and runs of pixels.
+/// True for methods that test meshlets and runs of pixels against the bounds.
 constexpr bool hides_by_bounds(Effects effects) { return effects.has(method::hierarchical_z); }
-/// Splits triangles, and draws pieces.
+/// True for methods that split triangles and draw pieces.
 constexpr bool splits(Effects effects) { return effects.any(method::splitting); }
-/// Draws pieces by what samples say: other pixels than a z-buffer's.
+/// True for methods that draw pieces by samples, and so may draw other pixels than the z-buffer.
 constexpr bool guesses(Effects effects) { return effects.has(method::midpoint); }
-/// Culls as VisibilityOptions say.
+/// True for methods that cull as VisibilityOptions says.
 constexpr bool culls(Effects effects) { return effects.has(method::culling); }
 
-/// Decided before a triangle is drawn: pixel loops are the same with and without.
+/// Methods that act before a triangle is drawn, so that pixel loops do not depend on them.
 inline constexpr Effects kOfOrder = method::front_to_back | method::orders;
-/// Goes with another method or alone.
+/// Can be combined with another method, or used alone.
 inline constexpr Effects kBesideOthers = method::culling;
 
 }  // namespace zstrip::detail::methods

@@ -1,4 +1,4 @@
-// The order of triangles for the painter and for front-to-back drawing.
+// Sorts triangles for the painter and for front-to-back drawing.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@ namespace zstrip::detail {
 
 /// A front face that may be in the picture.
 struct SortedTriangle {
-  std::uint32_t key;       ///< greater is drawn first by front_to_back, last by the painter
+  std::uint32_t key;       ///< the greatest is drawn first by front_to_back, last by the painter
   std::uint16_t instance;  ///< index into Scene::instances
   std::uint16_t meshlet;   ///< index into Mesh::meshlets
   std::uint16_t triangle;  ///< index into the meshlet's triangles
-  std::uint16_t batch;     ///< where its meshlet is retained, if binned
+  std::uint16_t batch;     ///< the batch of its meshlet, if binned
   Extent extent;           ///< the strips that it touches
 };
 static_assert(sizeof(SortedTriangle) == kSortedTriangleBytes);
 
-/// From the depths of three vertices.
+/// Returns the key for the depths of three vertices.
 constexpr std::uint32_t depth_key(SortKey key, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const std::uint32_t farthest = std::min(std::min(a, b), c);
   const std::uint32_t nearest = std::max(std::max(a, b), c);
@@ -34,8 +34,8 @@ constexpr std::uint32_t depth_key(SortKey key, std::uint32_t a, std::uint32_t b,
   return farthest + (nearest - farthest) / 2;
 }
 
-/// Greatest key first; of equal keys the one that the scene has first, as its z-buffer decides. Not stable and without
-/// recursion: heap sort, whose order is total here.
+/// Sorts by descending key; with equal keys the first one in the scene comes first, because the z-buffer prefers it,
+/// too. A heap sort, without recursion; it need not be stable, because the order is total.
 inline void sort_near_to_far(std::span<SortedTriangle> triangles) {
   const auto before = [](const SortedTriangle& a, const SortedTriangle& b) {
     if (a.key != b.key) return a.key > b.key;

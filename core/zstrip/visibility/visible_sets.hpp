@@ -1,5 +1,5 @@
-// Potentially visible sets: for each cell of a grid, the meshlets that may be seen from somewhere in it. The host bakes
-// them (`zstrip bake --visible-sets`), and they are read in place; the format is in docs/formats.md.
+// Potentially visible sets: for each cell of a grid, the meshlets that may be visible from some point in it. The host
+// bakes them (`zstrip bake --visible-sets`), and they are read in place; docs/formats.md defines the format.
 #pragma once
 
 #include <bit>
@@ -14,28 +14,29 @@
 
 namespace zstrip {
 
-inline constexpr std::uint8_t kVisibleSetsVersion = 1;     ///< the one that is read
-inline constexpr std::uint32_t kVisibleSetsAlignment = 4;  ///< of the first byte
+inline constexpr std::uint8_t kVisibleSetsVersion = 1;     ///< the only version that is read
+inline constexpr std::uint32_t kVisibleSetsAlignment = 4;  ///< bytes, for the first byte
 
 /// Views of bytes that must stay alive and unchanged.
 struct VisibleSets {
   Vec3 origin{0, 0, 0};                          ///< 16.16, world: the corner of least x, y and z
   Vec3 cell{1, 1, 1};                            ///< 16.16, > 0: the size of a cell
   std::uint16_t across = 0, up = 0, deep = 0;    ///< cells along x, y and z
-  std::uint32_t meshlets = 0;                    ///< of all instances
-  Fixed near_plane = 0;                          ///< 16.16: cameras with a nearer one may see more
-  std::uint32_t scene_checksum = 0;              ///< of the scene that they were baked for
+  std::uint32_t meshlets = 0;                    ///< number of meshlets of all instances
+  Fixed near_plane = 0;                          ///< 16.16; a camera with a nearer near plane may see more
+  std::uint32_t scene_checksum = 0;              ///< checksum of the scene for which they were baked
   std::span<const std::uint16_t> set_of_cell{};  ///< x first, then y, then z
   std::span<const std::uint32_t> sets{};         ///< (meshlets + 31) / 32 words each
 
-  /// For VisibilityOptions::potentially_visible of a perspective camera with this eye. Empty, so that all is drawn,
-  /// where the eye is in no cell.
+  /// Returns the set for VisibilityOptions::potentially_visible of a perspective camera with this eye. Empty if the eye
+  /// is in no cell: then all meshlets are drawn.
   std::span<const std::uint32_t> at(const Vec3& eye) const;
 };
 
 namespace detail {
 
-/// The bytes: words of 32 bits, little endian. Cells of the table have 16 bits, filled up to a whole word.
+/// The offsets in the blob: words of 32 bits, little endian. Cells of the table have 16 bits; the table is filled up to
+/// a whole word.
 namespace visible_sets_at {
 inline constexpr std::uint32_t kSize = 4, kChecksum = 8, kChecked = 12;  // of all bytes from kChecked on
 inline constexpr std::uint32_t kScene = 12, kMeshlets = 16, kOrigin = 20, kCell = 32, kCounts = 44, kSets = 50;
@@ -70,7 +71,7 @@ inline std::span<const std::uint32_t> VisibleSets::at(const Vec3& eye) const {
   for (int axis = 0; axis < 3; ++axis) {
     const std::int64_t distance = std::int64_t{to[axis]} - from[axis];
     if (distance < 0 || distance >= std::int64_t{size[axis]} * counts[axis]) return {};
-    // Below 2^32, both of them.
+    // Both are below 2^32.
     place[axis] = static_cast<std::uint32_t>(distance) / static_cast<std::uint32_t>(size[axis]);
   }
   const std::size_t words = (meshlets + 31) / 32;
@@ -78,10 +79,10 @@ inline std::span<const std::uint32_t> VisibleSets::at(const Vec3& eye) const {
   return sets.subspan(set * words, words);
 }
 
-/// Checks all of `bytes` and makes `opened` a view of them; on an error it stays as it was. Any bytes are safe.
-/// `meshlets`: those of the scene, SceneCounts::meshlets. Errors: blob_alignment; blob_version (`needed`: its version,
-/// `available`: the one that is read); blob_damaged (`needed`: the byte that is wrong, 16 if it is for another number
-/// of meshlets, that after the last one if some are missing).
+/// Checks all of `bytes` and makes `opened` a view of them; on an error `opened` keeps its value. Any bytes are safe.
+/// `meshlets`: SceneCounts::meshlets of the scene. Errors: blob_alignment; blob_version (`needed`: the blob's version,
+/// `available`: the supported version); blob_damaged (`needed`: offset of the wrong byte, 16 if the blob is for another
+/// number of meshlets, the offset after the last byte if bytes are missing).
 [[gnu::noinline]] inline Status open_visible_sets(std::span<const std::byte> bytes, std::uint32_t meshlets,
                                                   VisibleSets& opened) {
   using namespace detail::visible_sets_at;

@@ -33,10 +33,9 @@ struct ThumbPlanes::Layout {
   ZSTRIP_CHECK_LAYOUT(ZSTRIP_THUMB_PLANES)
 };
 
-// Macros for planes at r7, and the halves of 1 / area in r5 and r6.
-// zstrip_plane_quotient: of r4 and what r3 / 2^16 is below it, r3 being its product with 1 / area already: a step in r1
-// and 16 bits below it in the lower half of r0. Uses r2.
-// zstrip_plane_round at: stores that step, rounded, at offset `at` of r3; r0 is 16 bits.
+// Macros for planes at r7, with the halves of 1 / area in r5 and r6. zstrip_plane_quotient: multiplies r4, and the r3 /
+// 2^16 below it (r3 is already multiplied by 1 / area), to a step in r1 and 16 bits below it in the lower half of r0.
+// Changes r2. zstrip_plane_round at: stores that step, rounded, at offset `at` of r3; r0 has 16 bits.
 #define ZSTRIP_THUMB1_PLANES            \
   ".macro zstrip_plane_quotient\n"      \
   "  sxth  r0, r4\n"                    \
