@@ -1,4 +1,4 @@
-// Instances that billboards have turned, and hulls behind them: in the arena, because they are not the caller's.
+// Rotated billboards, followed by hulls. They lie in the arena, because the caller's instances must not change.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

@@ -1,4 +1,4 @@
-// The interface of an effect to the rest of zstrip. A wing's Effect replaces what is not so for it.
+// The interface between an effect and the rest of zstrip. A wing's Effect overrides the members that differ.
 #pragma once
 
 #include <array>
@@ -9,17 +9,17 @@
 
 namespace zstrip {
 
-/// As reports and options have it.
+/// The name in reports and options.
 struct EffectName {
   Effects effect;
   const char* name;
-  const char* called_for_by;  ///< what in a scene or a picture calls for it
+  const char* called_for_by;  ///< the part of a scene or a picture that needs it
 };
 
-/// Effects and visibility methods that do not go together: none of `one` with any of `other`.
+/// Effects and visibility methods that exclude each other: none of `one` with any of `other`.
 struct Exclusion {
   Effects one, other;
-  const char* why;  ///< a sentence's end: "... because"
+  const char* why;  ///< the end of a sentence: "... because"
 };
 
 }  // namespace zstrip
@@ -27,12 +27,12 @@ struct Exclusion {
 namespace zstrip::detail {
 
 struct AnyEffect {
-  /// Effects that no renderer can have together.
+  /// Effects that exclude each other in every renderer.
   static constexpr std::array<Exclusion, 0> kExclusions{};
 
-  /// Effects that keep something in the arena from begin_frame to the strips, where a scene calls for one of them.
+  /// Effects that keep data in the arena from begin_frame to the strips, if a scene needs one of them.
   static constexpr Effects kNeedMemory{};
-  static constexpr std::uint32_t kAlignment = 4;  ///< of that memory: 4 or 8
+  static constexpr std::uint32_t kAlignment = 4;  ///< alignment of that memory: 4 or 8
   static constexpr std::uint64_t bytes(const SceneCounts&) { return 0; }
 };
 

@@ -8,10 +8,10 @@
 
 namespace zstrip {
 
-/// Effects and methods of which no renderer has one of each side.
+/// No renderer has effects or methods of both sides of one of these.
 inline constexpr auto kExclusions = detail::DescribedEffects::exclusions();
 
-/// Sets of which a renderer has at most one.
+/// No renderer has more than one of each of these sets.
 inline constexpr Effects kAlternatives[] = {
     effect::depth_formats | effect::depth_ranges,
     effect::perspective_runs,
@@ -19,7 +19,7 @@ inline constexpr Effects kAlternatives[] = {
 
 namespace detail {
 
-/// Unrolled, so that no table and no text is linked with a board's program.
+/// Unrolled, so that firmware links neither a table nor a text.
 template <std::size_t... i>
 constexpr Effects excluded_by(Effects effects, std::index_sequence<i...>) {
   Effects excluded{};
@@ -30,14 +30,14 @@ constexpr Effects excluded_by(Effects effects, std::index_sequence<i...>) {
   (add(kExclusions[i].one, kExclusions[i].other), ...);
   return excluded;
 }
-/// Unrolled likewise.
+/// Unrolled for the same reason.
 template <const auto& alternatives, std::size_t... i>
 constexpr bool one_of_each(Effects effects, std::index_sequence<i...>) {
   const auto single = [](auto bits) { return (bits & (bits - 1)) == 0; };
   return ((single((effects & alternatives[i]).bits) && single((effects & alternatives[i]).methods)) && ...);
 }
 
-/// All that cannot be together with one of these.
+/// Returns all effects that exclude one of these.
 constexpr Effects excluded_by(Effects effects) {
   return excluded_by(effects, std::make_index_sequence<kExclusions.size()>());
 }
@@ -48,18 +48,18 @@ constexpr bool one_of_each(Effects effects) {
 
 }  // namespace detail
 
-/// True if these effects go together, with any method.
+/// True if these effects can be combined, with any method.
 constexpr bool effects_agree(Effects effects) {
   effects.methods = 0;
   return !effects.any(detail::excluded_by(effects)) && detail::one_of_each<kAlternatives>(effects);
 }
 
-/// Which of these effects their methods cannot draw.
+/// Returns the effects of this set that its methods cannot draw.
 constexpr Effects refused_by_methods(Effects effects) {
   return {effects.bits & detail::excluded_by({0, effects.methods}).bits, 0};
 }
 
-/// True if the methods go together and can draw all these effects. False for an unknown effect.
+/// True if the methods can be combined and can draw all these effects. False for an unknown effect.
 constexpr bool methods_agree(Effects effects) {
   if (effects.methods == 0) return true;
   constexpr Effects kKnown = effect::of_scenes | effect::shades | effect::statistics | effect::bins |

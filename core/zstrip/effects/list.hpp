@@ -1,4 +1,4 @@
-// All effects that have a wing: their names, and what does not go together.
+// All effects that have a wing: their names, and their exclusions.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ using DescribedEffects =
 
 namespace zstrip {
 
-/// All effects that a scene, its picture or its plan can call for, each once, as reports and options name them.
+/// All effects that a scene, its picture or its plan can need, each once, with the names for reports and options.
 inline constexpr auto kEffectNames = detail::DescribedEffects::names();
 
 static_assert(

@@ -1,4 +1,4 @@
-// How the parts of the arena lie behind each other in which effects keep something through a frame.
+// The layout of the part of the arena in which effects keep data during a frame.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +17,17 @@
 
 namespace zstrip::detail {
 
-/// Ahead of all parts: which of them there are, and of how many instances.
+/// Bytes before all parts: the effects that have a part, and the number of instances.
 inline constexpr std::uint32_t kEffectHeaderBytes = 16;
 
-/// The last parts may count something else than instances; of these no scene has two.
+/// The last parts may count other elements than instances; no scene has two of these parts.
 template <class... Parts>
 struct EffectMemory {
   /// True if effects among these have any memory.
   static constexpr bool has_any(Effects effects) { return effects.any((Parts::kNeedMemory | ...)); }
 
-  /// Returns the bytes of all parts and their headers. `called_for`: none but `possible`, for which alone there is
-  /// code.
+  /// Returns the bytes of all parts and their header. `called_for` must be a subset of `possible`; code is generated
+  /// only for that.
   template <Effects possible = (Parts::kNeedMemory | ...)>
   static constexpr std::uint64_t bytes(Effects called_for, const SceneCounts& counts) {
     if (!has_any(called_for)) return 0;
@@ -36,7 +36,7 @@ struct EffectMemory {
     return end;
   }
 
-  /// Where a part begins that is called for.
+  /// Returns the offset of a part; the scene must need its effect.
   template <class Part>
   static constexpr std::size_t offset_of(Effects called_for, std::uint32_t instances) {
     static_assert((std::is_same_v<Part, Parts> || ...), "memory that nothing plans");

@@ -31,7 +31,7 @@ struct StageList {
   [[gnu::always_inline]] static void for_each([[maybe_unused]] const Visit& visit) {
     (call<effects, Stages>(visit), ...);
   }
-  /// Ends with the first that returns an error.
+  /// Calls visit(stage) until one returns an error.
   template <Effects effects, class Visit>
   [[gnu::always_inline]] static Status until_error([[maybe_unused]] const Visit& visit) {
     if constexpr (!effects.any(kEffects)) return {};
@@ -60,11 +60,11 @@ struct StageList {
   }
 };
 
-// Why this order: shadows are cast by billboards as they are turned, and not by hulls. What blends is drawn last, so
-// that its order comes before CSG, whose first meshlets are counted in it. Environment maps are textures when
-// instances with fragments are determined, and pixel light is on top of those. CSG takes what is in the z-buffer
-// for their own, so that they are drawn before other surfaces. Edges are blended, or samples averaged, before an
-// overlay, and that before any dithering.
+// The reasons for this order: rotated billboards cast shadows, hulls do not. Blended instances are drawn last; their
+// order comes before CSG, which counts first meshlets in it. Environment maps must count as textures when instances
+// with fragments are found, and pixel light is added to these. CSG regards the z-buffer's contents as its own, so that
+// it is drawn before other surfaces. Edges are blended, or samples averaged, before the overlay, and the overlay comes
+// before dithering.
 using Stages = StageList<billboards::Stage, shadows::Stage, outlines::Stage, blending::Stage, local_light::Stage,
                          environment::Stage, fog::Stage, fragments::Stage, pixel_shading::Stage, csg::Stage,
                          quadrics::Stage, lines::Stage, edges::Stage, samples::Stage, overlay::Stage, unclipped::Stage,

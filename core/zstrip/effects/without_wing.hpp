@@ -1,4 +1,4 @@
-// Effects that have no wing: they are in the loops of geometry and raster alone.
+// Effects without a wing: they exist only in the loops of geometry and raster.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

@@ -1,4 +1,4 @@
-// Turns billboards to the camera. Work once an instance and frame.
+// Rotates billboards towards the camera, once for each instance and frame.
 #include "zstrip/effects/billboards/billboard.hpp"
 
 #include "zstrip/base/direction.hpp"
@@ -11,10 +11,11 @@ Wide3 column(const Transform& transform, int index) {
   return {transform.m[0][index], transform.m[1][index], transform.m[2][index]};
 }
 
-/// Column `index` of `to`: `axis` (2.30) with the length that it has in `from`. Not inlined: code is scarce.
+/// Sets column `index` of `to` to `axis` (2.30) with the length that the column has in `from`. Not inlined, to save
+/// flash.
 [[gnu::noinline]] void turn_column(const Transform& from, Transform& to, int index, const Vec3& axis) {
   const Wide3 v = column(from, index);
-  // 16.22, rounded down, below 2^31: entries are at most 2^24, so that the sum with 12 bits more is below 2^62.
+  // 16.22, rounded down, below 2^31: entries are at most 2^24, so that the sum, with 12 bits more, is below 2^62.
   const std::int64_t length = square_root(static_cast<std::uint64_t>(v.x * v.x + v.y * v.y + v.z * v.z) << 12);
   const auto entry = [length](std::int32_t c) {
     return static_cast<Fixed>((c * length + (std::int64_t{1} << 35)) >> 36);
@@ -24,7 +25,7 @@ Wide3 column(const Transform& transform, int index) {
   to.m[2][index] = entry(axis.z);
 }
 
-/// `axis` less what of it lies along `direction`, both unit vectors.
+/// Returns `axis` without its component along `direction`; both are unit vectors.
 Wide3 across(const Vec3& axis, const Vec3& direction) {
   const auto product = [](std::int32_t a, std::int32_t b) { return std::int64_t{a} * b; };
   const std::int64_t along =
@@ -46,7 +47,7 @@ Transform turned_to_viewer(const Transform& transform, Billboard billboard, cons
     constexpr std::int64_t kMin = std::int64_t{1} << 22;  // 2.30: a 256th of a unit vector
     const Wide3 sideways = across(camera.right, axis);
     const Wide3 instead = cross(axis, camera.back);
-    if (is_within(sideways, kMin) && instead == Wide3{0, 0, 0}) return transform;  // a camera without axes
+    if (is_within(sideways, kMin) && instead == Wide3{0, 0, 0}) return transform;  // the camera has no axes
     right = unit(is_within(sideways, kMin) ? instead : sideways);
     back = unit(cross(right, axis));
   }

@@ -1,4 +1,4 @@
-// Turns billboards to the camera.
+// Rotates billboards towards the camera.
 #pragma once
 
 #include "zstrip/camera.hpp"
@@ -6,8 +6,8 @@
 
 namespace zstrip::detail {
 
-/// `transform` with its three axes turned for `billboard` (docs/conventions.md), each as long as it was, around the
-/// same place. Each entry is within 2^-15 and 2^-19 of the axis' length of what it should be.
+/// Returns `transform` with its three axes rotated for `billboard` (docs/conventions.md), each with its old length,
+/// around the same position. The error of an entry is below 2^-15 plus 2^-19 of the axis's length.
 Transform turned_to_viewer(const Transform& transform, Billboard billboard, const Camera& camera);
 
 }  // namespace zstrip::detail

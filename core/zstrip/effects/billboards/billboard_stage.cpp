@@ -1,4 +1,4 @@
-// Turns the billboards of a frame; only renderers with effect::billboards link it.
+// Rotates the billboards of a frame; only renderers with effect::billboards link it.
 #include "zstrip/effects/billboards/billboard_stage.hpp"
 
 #include "zstrip/effects/billboards/billboard.hpp"

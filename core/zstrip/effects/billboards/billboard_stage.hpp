@@ -1,11 +1,12 @@
-// Turns the instances of billboards to the viewer, before a frame is prepared.
+// Rotates the instances of billboards towards the viewer, before a frame is prepared.
 #pragma once
 
 #include "zstrip/effects/stage.hpp"
 
 namespace zstrip::detail::billboards {
 
-/// Turns the scene's billboards to the camera; its instances lie in the effects' part of the arena then.
+/// Rotates the scene's billboards towards the camera. Afterwards the scene's instances lie in the effects' part of the
+/// arena.
 Status turn(const FrameState& frame, Scene& scene, const Camera& camera);
 
 struct Stage : NoStage {

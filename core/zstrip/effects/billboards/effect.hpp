@@ -1,4 +1,4 @@
-// Billboards turn with the camera.
+// Billboards rotate with the camera.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

@@ -1,4 +1,4 @@
-// Puts instances in order: what is opaque first, then what blends, from far to near.
+// Orders instances: opaque ones first, then blended ones from far to near.
 #pragma once
 
 #include "zstrip/effects/blending/draw_order.hpp"
@@ -6,7 +6,7 @@
 
 namespace zstrip::detail::blending {
 
-/// Opaque instances in the scene's order, then those that blend, from far to near.
+/// Puts opaque instances in the scene's order, followed by blended ones from far to near.
 inline void prepare(const FrameState& frame, const Camera& camera) {
   const Scene& scene = *frame.scene;
   const std::span<DrawOrder> order = order_of(frame);

@@ -1,4 +1,4 @@
-// Blending with what is behind.
+// Blends instances with the colours behind them.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
@@ -12,7 +12,7 @@ struct Effect : AnyEffect {
 
   static constexpr Effects kNeedMemory = effect::blending;
   static constexpr std::uint32_t kAlignment = 8;
-  static constexpr std::uint32_t kPlaceBytes = 16;  ///< of an instance, in the order of drawing
+  static constexpr std::uint32_t kPlaceBytes = 16;  ///< bytes of an instance in the drawing order
   static constexpr std::uint64_t bytes(const SceneCounts& counts) {
     return std::uint64_t{counts.instances} * kPlaceBytes;
   }

@@ -1,4 +1,4 @@
-// Layers of CSG: what the fragments of an operand do that is not drawn, but peeled off, or counted.
+// Layers of CSG: fragments of an operand that are not drawn, but peeled off into a layer, or counted.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,15 @@
 
 namespace zstrip::detail {
 
-/// One side of an operand, drawn over arrays that have the strip's rows and columns: a layer of cells, in place of the
-/// z-buffer, and either the layer before it or a count.
+/// One side of an operand, drawn over arrays with the strip's rows and columns: a layer of cells in place of the
+/// z-buffer, and either the previous layer or counts.
 struct CsgPass {
-  const void* first_cell = nullptr;  ///< of the layer
-  const void* before = nullptr;      ///< cells: the layer takes the nearest fragments that are farther than these
-  std::uint8_t* counts = nullptr;    ///< otherwise; modulo 2^8, so that no order of triangles is too much
+  const void* first_cell = nullptr;  ///< first cell of the layer
+  const void* before = nullptr;      ///< cells of the previous layer: the layer takes the nearest fragments behind it
+  std::uint8_t* counts = nullptr;    ///< used instead of `before`; modulo 2^8, so that the order of triangles does not
+                                     ///< matter
   std::uint8_t step = 0;             ///< added for each fragment
-  bool behind = false;               ///< those farther than the layer are counted; else all others
+  bool behind = false;               ///< true: fragments behind the layer are counted; false: all other fragments are
 };
 
 template <DepthMode mode>
@@ -31,7 +32,7 @@ requires(mode.use == DepthUse::layered) class DepthRule<mode> {
                       std::int64_t area)
       : plain_(target, v0, v1, v2, area), pass_(target.pass) {}
 
-  /// Never, but the layer, or the count, of the cell's pixel is another then.
+  /// Returns false, because nothing is drawn, but updates the layer or the count of the cell's pixel.
   template <class Value>
   bool draws(Value value, Cell& layer) const {
     const Cell code = plain_.code(value);

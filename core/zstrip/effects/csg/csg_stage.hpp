@@ -1,9 +1,9 @@
-// CSG in a strip (constructive solid geometry; Goldfeather, Molnar, Turk and Fuchs 1989), before
-// anything else is drawn into it. Of each operand the sides that may bound the product are peeled off layer by layer,
-// and what of a layer lies inside all other operands, or outside those that are subtracted, is written into the
-// z-buffer: two layers of depth, a count and a mark of a pixel are all it takes. Once that is what the product looks
-// like, its operands are drawn as anything else, where they are what it has put into the z-buffer; not where another
-// product has, which a face that was cut away may cross.
+// CSG in a strip (constructive solid geometry; Goldfeather, Molnar, Turk and Fuchs 1989), before anything else is drawn
+// into it. For each operand, the sides that may bound the product are peeled off layer by layer. The pixels of a layer
+// that lie inside all intersected operands and outside the subtracted ones are written into the z-buffer. This needs
+// two layers of depth, and a count and a mark for each pixel. Then the operands are drawn like other instances, at the
+// pixels that their product has written into the z-buffer. Pixels of other products are excluded, because a face that
+// was cut away may cross them.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Stage : NoStage {
   static Status check(const FrameRequest& request) {
     return request.called_for.has(effect::csg) ? check_memory(request, depth_cell_bytes(effects)) : Status{};
   }
-  /// Draws the operands of a frame whose instances are prepared; no other stage does.
+  /// Prepares the operands of a frame whose instances are prepared, and hides them from all other stages.
   template <Effects effects>
   static Status prepare(FrameState& frame, const FrameRequest& request) {
     if (!request.called_for.has(effect::csg)) return {};
@@ -41,7 +41,7 @@ struct Stage : NoStage {
     return operands == 0 ? Status{} : Status{.error = Error::csg, .needed = operands, .available = 0};
   }
 
-  /// `target` has been cleared.
+  /// `target` is cleared.
   template <Effects effects>
   static void draw_surfaces(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
     if (!effect_block(frame).has(effect::csg)) return;
@@ -62,16 +62,17 @@ struct Stage : NoStage {
  private:
   template <Effects effects>
   using Cell = DepthCell<depth_format(effects)>;
-  /// The pipeline of layers: coverage and codes.
+  /// The effects of the pipeline that draws layers: coverage and codes.
   template <Effects effects>
   static constexpr Effects kLayers =
       (effects & (effect::orthographic | effect::depth_formats)) | Effects{effect::csg_layers.bits};
-  /// That of colours: no material of an operand has rules of its own for depth, and bounds of depth hide what is equal.
+  /// The effects of the pipeline that draws colours. Materials of operands have default rules for depth, and bounds of
+  /// depth would hide equal codes, so that it has neither.
   template <Effects effects>
   static constexpr Effects kColours = Effects{without(effects, effect::depth_state).bits | effect::csg_colours.bits};
 
-  /// Calls visit(first operand, the one after the last, pixels of `area` that it can cover) for each product that can
-  /// be seen there. `area`: of the raster, whose pixel (view_left, view_top) is the picture's first.
+  /// Calls visit(first operand, end of operands, pixels of `area` that the product can cover) for each visible product.
+  /// `area` is in raster pixels; (view_left, view_top) is the picture's first pixel.
   template <class Visit>
   static void for_each_product(const FrameState& frame, const Rect& area, std::int32_t view_left, std::int32_t view_top,
                                const Visit& visit) {
@@ -104,7 +105,7 @@ struct Stage : NoStage {
     for (std::uint32_t i = 0; i < meshlets; ++i) visit(first + i, i);
   }
 
-  /// Calls visit(range, batch) with an operand's meshlet in the cache.
+  /// Transforms an operand's meshlet into the cache and calls visit(range, batch).
   template <Effects effects, class Visit>
   static void with_meshlet(FrameState& frame, std::size_t operand, std::uint32_t meshlet, const Visit& visit) {
     const std::uint32_t instance = frame.scene->csg[operand].instance;
@@ -125,7 +126,7 @@ struct Stage : NoStage {
     });
   }
 
-  /// Which strips the triangles of operands touch, whichever way they face.
+  /// Finds the strips that the triangles of operands touch, facing the viewer or not.
   template <Effects effects>
   static void survey(FrameState& frame) {
     const Rect everywhere{INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
@@ -149,11 +150,11 @@ struct Stage : NoStage {
     }
   }
 
-  /// The surface of a product in a part of a strip.
+  /// Finds the surface of a product in a part of a strip.
   template <Effects effects, Effects drawing>
   class Layers {
    public:
-    /// `part`: of the strip, with its z-buffer.
+    /// `part` is the part of the strip, with its z-buffer.
     Layers(FrameState& frame, const StripTarget& part, std::uint16_t strip)
         : frame_(frame), part_(part), strip_(strip), depth_(part.template depth_row<Cell<effects>>(part.area.top)) {
       const std::size_t cells = std::size_t{frame.plan.strip_rows} * frame.plan.strip_columns;
@@ -164,7 +165,7 @@ struct Stage : NoStage {
       found_ = counts_ + cells;
     }
 
-    /// Finds the layer of operands `first` to `end`: where it is nearer than the z-buffer, it is there then.
+    /// Finds the surface of operands `first` to `end`, and writes it into the z-buffer where it is nearer.
     void find(std::size_t first, std::size_t end) {
       for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(found_ + at, columns, 0); });
       for (std::size_t i = first; i < end; ++i) {
@@ -179,7 +180,7 @@ struct Stage : NoStage {
       }
     }
 
-    /// The part, with what has been found, and nothing else, in place of the z-buffer. Ends with the next search.
+    /// Returns the part with only the found surface in place of the z-buffer. Valid until the next search.
     StripTarget found() const {
       for_each_row([&](std::int32_t at, std::int32_t columns) {
         for (std::int32_t i = at; i < at + columns; ++i) layer_[i] = found_[i] != 0 ? depth_[i] : 0;
@@ -210,8 +211,8 @@ struct Stage : NoStage {
       AssemblerFor<drawing>::draw_side(complete, batch, range.triangles, away);
     }
 
-    /// The next layer of the sides of an operand that may bound the product, behind the one before. False if there is
-    /// none that can be seen.
+    /// Peels the next layer off the sides of an operand that may bound the product, behind the previous layer. Returns
+    /// false if no pixel of it is visible.
     bool peel(std::size_t operand) {
       for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(layer_ + at, columns, Code{0}); });
       const CsgPass pass{.first_cell = layer_, .before = before_};
@@ -221,7 +222,7 @@ struct Stage : NoStage {
       bool any = false;
       for_each_row([&](std::int32_t at, std::int32_t columns) {
         for (std::int32_t i = at; i < at + columns; ++i) {
-          if (layer_[i] <= depth_[i]) layer_[i] = 0;  // and all behind it
+          if (layer_[i] <= depth_[i]) layer_[i] = 0;  // hidden, like all layers behind it
           before_[i] = layer_[i];
           any |= layer_[i] != 0;
         }
@@ -229,7 +230,8 @@ struct Stage : NoStage {
       return any;
     }
 
-    /// Keeps the pixels of the layer that this operand does not exclude from the product. False if none is left.
+    /// Keeps the pixels of the layer that this operand does not exclude from the product. Returns false if none
+    /// remains.
     bool keep_inside(std::size_t operand) {
       if (may_cover(frame_, operand, part_)) {
         count(operand);
@@ -249,8 +251,8 @@ struct Stage : NoStage {
       return any;
     }
 
-    /// How often an operand lies around the points just behind the layer: by the faces behind them, and where the near
-    /// plane has not cut any off, by all others, so that the far plane may.
+    /// Counts how many times the operand encloses the points just behind the layer. If the near plane may have cut the
+    /// operand, it counts the faces behind these points, otherwise all other faces, so that the far plane may cut.
     void count(std::size_t operand) {
       for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(counts_ + at, columns, 0); });
       const bool behind = bounds_of(frame_, operand).cut;
@@ -263,7 +265,7 @@ struct Stage : NoStage {
       });
     }
 
-    /// The rest of the layer is seen, and hides all layers behind it.
+    /// Accepts the remaining pixels of the layer: they are visible and hide all layers behind them.
     void accept() {
       for_each_row([&](std::int32_t at, std::int32_t columns) {
         for (std::int32_t i = at; i < at + columns; ++i) {
@@ -280,7 +282,7 @@ struct Stage : NoStage {
     std::uint8_t *counts_, *found_;
   };
 
-  /// Draws the sides of an operand that are seen.
+  /// Draws the visible sides of an operand.
   template <Effects effects, Effects drawing>
   static void colour(FrameState& frame, const StripTarget& part, std::uint16_t strip, std::size_t operand) {
     if (!may_cover(frame, operand, part)) return;

@@ -1,4 +1,4 @@
-// Constructive solid geometry: solids intersected with others, or cut out of them.
+// Constructive solid geometry: solids are intersected, or cut out of each other.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

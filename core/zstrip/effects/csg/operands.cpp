@@ -1,4 +1,4 @@
-// Prepares the operands of CSG of a frame; only renderers with effect::csg link it.
+// Prepares the CSG operands of a frame; only renderers with effect::csg link it.
 #include "zstrip/effects/csg/operands.hpp"
 
 #include "zstrip/effects/blending/draw_order.hpp"
@@ -8,7 +8,7 @@
 namespace zstrip::detail::csg {
 namespace {
 
-/// Returns the number of an instance's first meshlet, among those of all instances in the order of drawing.
+/// Returns the number of an instance's first meshlet, counted over all instances in drawing order.
 std::uint32_t first_meshlet(const FrameState& frame, std::uint32_t instance) {
   const Scene& scene = *frame.scene;
   std::uint32_t first = 0;
@@ -50,7 +50,7 @@ void prepare_operands(FrameState& frame, const Camera& camera) {
     const DistanceRange range = distance_range(mesh, scene.instances[index].transform, camera);
     bounds.cut = range.nearest < distance_of(camera.near_plane);
   }
-  // Where bins keep all vertices, those of operands are not among them: their room is the last.
+  // If bins keep all vertices, the operands' vertices use the last part of that memory, because bins never keep them.
   state_of(frame) = {frame.plan.mode == Mode::binned ? count(scene).vertices - largest : 0, 0};
 }
 

@@ -1,4 +1,4 @@
-// Turns the normals of what is cut out; only renderers with effect::csg link it.
+// Inverts the normals of subtracted operands; only renderers with effect::csg link it.
 #include "zstrip/effects/csg/operands.hpp"
 #include "zstrip/effects/environment/kept.hpp"
 #include "zstrip/effects/local_light/kept.hpp"

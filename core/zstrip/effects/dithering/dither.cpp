@@ -1,4 +1,4 @@
-// Dithered pixels stay RGB565: what a format keeps of them is the level, so that one conversion does for all.
+// Dithered pixels stay RGB565. They contain the level that a format keeps, so that one conversion serves all formats.
 #include "zstrip/effects/dithering/dither.hpp"
 
 #include "zstrip/base/bayer.hpp"
@@ -7,7 +7,8 @@
 namespace zstrip {
 namespace {
 
-/// Levels of 4 bits in the upper bits of the channels; of a grey the luma keeps the level in its upper 4.
+/// Returns levels of 4 bits in the upper bits of the channels; the luma of such a grey has the level in its upper 4
+/// bits.
 constexpr std::uint16_t of_levels(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
   return static_cast<std::uint16_t>((r << 12) | (g << 7) | (b << 1));
 }

@@ -1,4 +1,4 @@
-// A background of one colour, dithered: in a file of its own, because only pictures in RGB565 with fog link it.
+// Dithers a background of one colour. A separate file, because only pictures in RGB565 with fog link it.
 #include "zstrip/base/bayer.hpp"
 #include "zstrip/effects/dithering/dither.hpp"
 #include "zstrip/raster/colour.hpp"

@@ -1,4 +1,4 @@
-// Pictures of few colours are dithered as a whole, just before they are converted.
+// Dithers pictures in narrow formats just before they are converted.
 #pragma once
 
 #include "zstrip/effects/dithering/dither.hpp"

@@ -1,4 +1,4 @@
-// Dithering of pictures that have few colours.
+// Dithers pictures that have few colours.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

@@ -1,4 +1,4 @@
-// Blends the pixels that an edge crosses with their neighbours beyond it.
+// Blends the pixels that an edge crosses with their neighbours on the other side of the edge.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace zstrip::detail {
 
-/// A pixel of RGB565 that is `weight`/32 of another; weight 0..32. Rounded to nearest.
+/// Returns an RGB565 pixel with `weight`/32 of another one; weight 0..32. Rounded to nearest.
 constexpr std::uint16_t blended(std::uint16_t own, std::uint16_t other, std::uint32_t weight) {
   const auto spread = [](std::uint32_t pixel) { return (pixel | (pixel << 16)) & kSpreadChannels; };
   const std::uint32_t sum = spread(own) * (32 - weight) + spread(other) * weight + 16 * kOneInEach;
@@ -19,25 +19,25 @@ constexpr std::uint16_t blended(std::uint16_t own, std::uint16_t other, std::uin
   return static_cast<std::uint16_t>(mean | (mean >> 16));
 }
 
-/// A strip whose edges are blended. Rectangles are of raster pixels.
+/// A strip whose edges are blended. Rectangles are in raster pixels.
 struct EdgeTarget {
-  Rect area;                 ///< its pixels
+  Rect area;                 ///< pixels of the strip
   std::uint16_t* pixels;     ///< without gaps
-  Rect known;                ///< the same and its apron
-  const std::uint16_t* own;  ///< pixels of `known` before anything was blended, without gaps
-  Rect depth_area;           ///< what there are depths of: in `known`
+  Rect known;                ///< the strip with its apron
+  const std::uint16_t* own;  ///< pixels of `known` before blending, without gaps
+  Rect depth_area;           ///< the part of `known` with depths
   const std::uint16_t* depth;
 
-  /// 0 where nothing was drawn.
+  /// Returns the code of a pixel; 0 if nothing was drawn there.
   std::uint32_t code(std::int32_t x, std::int32_t y) const {
     if (x < depth_area.left || x >= depth_area.right || y < depth_area.top || y >= depth_area.bottom) return 0;
     return depth[(y - depth_area.top) * depth_area.width() + (x - depth_area.left)];
   }
 
-  /// Codes that are of an edge's surface.
+  /// The codes that belong to an edge's surface.
   struct Surface {
     std::int32_t tolerance;
-    bool crease;  ///< both sides of the edge are
+    bool crease;  ///< both sides of the edge belong to the surface
 
     bool has(std::uint32_t code, std::int32_t edge) const {
       const std::int32_t off = static_cast<std::int32_t>(code) - edge;
@@ -45,22 +45,23 @@ struct EdgeTarget {
     }
   };
 
-  /// Blends pixel (x, y) with (to_x, to_y) next to it, if the edge, whose code here is `edge`, is what is seen.
+  /// Blends pixel (x, y) with its neighbour (to_x, to_y), if the edge is visible there. `edge` is the edge's code at
+  /// this place.
   void blend(std::int32_t x, std::int32_t y, std::int32_t to_x, std::int32_t to_y, std::uint32_t weight,
              std::int32_t edge, const Surface& surface) const {
     if (to_x < known.left || to_x >= known.right || to_y < known.top || to_y >= known.bottom) return;
     const auto [farther, nearer] = std::minmax({code(x, y), code(to_x, to_y)});
     if (!surface.has(nearer, edge)) return;
-    // Where a face of a crease is narrower than a pixel, what lies beyond is none of it.
+    // A face of a crease may be narrower than a pixel; the neighbour then shows another surface.
     if (surface.crease && (farther == 0 || !surface.has(farther, edge))) return;
     std::uint16_t& pixel = pixels[(y - area.top) * area.width() + (x - area.left)];
     pixel = blended(pixel, own[(to_y - known.top) * known.width() + (to_x - known.left)], weight);
   }
 };
 
-/// Walks an edge along its longer axis: in each column (or row) whose middle it crosses, the pixel in which it lies
-/// there is blended with the one on the other side of the edge, by how much of the pixel's height (or width) that side
-/// has in the middle. `Int`: 32 bits for narrow edges, 64 for all.
+/// Walks an edge along its longer axis. In each column (or row) whose middle the edge crosses, the pixel there is
+/// blended with the one on the other side of the edge. The weight is the part of the pixel's height (or width) on that
+/// side, in the middle of the column (or row). `Int` has 32 bits for narrow edges, 64 for all.
 template <class Int>
 class EdgeBlend {
  public:
@@ -74,7 +75,7 @@ class EdgeBlend {
     }
   }
 
-  /// False if no pixel of the strip is blended.
+  /// Returns false if no pixel of the strip is blended.
   static bool crosses(const EdgeTarget& target, const SnappedVertex& a, const SnappedVertex& b) {
     const std::int32_t dx = b.x - a.x, dy = b.y - a.y;
     const auto within = [](std::int32_t p, std::int32_t q, std::int32_t first, std::int32_t end, std::int32_t border) {
@@ -86,19 +87,19 @@ class EdgeBlend {
   }
 
  private:
-  /// Fraction bits of a coordinate across the edge, and of a depth beyond 1/256 code: all that an Int has room for.
-  /// A slope, at most 1, is rounded: over the 2^15 sub-pixels of a narrow edge the place errs by 1/4 sub-pixel, the
-  /// depth by a code. The place stays between the ends, within 2^30, or 2^57 of wide ones.
+  /// Fraction bits of a coordinate across the edge, and of a depth in addition to 1/256 code: as many as an Int allows.
+  /// A slope, at most 1, is rounded: over the 2^15 sub-pixels of a narrow edge the error is 1/4 sub-pixel, or one code
+  /// of depth. The place stays between the ends, within 2^30, or within 2^57 for wide edges.
   static constexpr int kBits = sizeof(Int) == 4 ? 16 : 32;
   static constexpr int kDepthBits = sizeof(Int) == 4 ? 6 : 30;
 
-  /// By its place along the longer axis and across it.
+  /// An end: its coordinates along the longer axis and across it.
   struct End {
     std::int32_t along, across;
     std::uint32_t depth;
   };
 
-  /// From the lower end on, so that both directions are the same.
+  /// Walks from the lower end, so that both directions give the same pixels.
   template <bool columns>
   static void in_order(const EdgeTarget& target, const End& a, const End& b, const EdgeTarget::Surface& surface) {
     if (a.along <= b.along) {
@@ -115,7 +116,8 @@ class EdgeBlend {
   template <bool columns>
   static void walk(const EdgeTarget& target, const End& low, const End& high, const EdgeTarget::Surface& surface) {
     const Rect& area = target.area;
-    // Takes pixels whose middles lie between the ends; of two edges that meet only one has the middle in which they do.
+    // Only pixels whose middles lie between the ends: of two edges that meet, only one contains the middle of the pixel
+    // in which they meet.
     const std::int32_t first = std::max(low.along >> 4, columns ? area.left : area.top);
     const std::int32_t end = std::min(high.along >> 4, columns ? area.right : area.bottom);
     if (first >= end) return;
@@ -128,7 +130,7 @@ class EdgeBlend {
     const Int fall = static_cast<Int>(high.depth >> 8) - static_cast<Int>(low.depth >> 8);
     const Int depth_slope = quotient(fall << kDepthBits, length);
     Int depth = depth_slope * start;
-    // Behind the last middle a depth may be beyond an Int.
+    // After the last middle the depth may exceed an Int.
     const auto step = [](Int value, Int by) {
       using Bits = std::make_unsigned_t<Int>;
       return static_cast<Int>(static_cast<Bits>(value) + 16 * static_cast<Bits>(by));

@@ -1,5 +1,5 @@
-// The hooks of effect::edges in the stages of a frame: before the strips, which edges show and in which strips; after a
-// strip, which was drawn with an apron, the edges in it are blended.
+// The hooks of effect::edges in the stages of a frame. Before the strips they find the visible edges and their strips;
+// after a strip, which was drawn with an apron, they blend its edges.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 
 namespace zstrip::detail::edges {
 
-/// As many edges of an instance as there are bits.
+/// As many edges of an instance as there are bits in a word.
 struct EdgeGroup {
-  std::uint32_t seen;  ///< a bit each, the first is the lowest
-  Extent extent;       ///< the strips that those can lie in
+  std::uint32_t seen;  ///< one bit for each visible edge, the first edge in the lowest bit
+  Extent extent;       ///< the strips in which these can lie
 };
 static_assert(sizeof(EdgeGroup) == Effect::kGroupBytes && kEdgesOfGroup == 32);
 
@@ -46,7 +46,7 @@ struct Stage : NoStage {
   static Status check_over(const FrameState& frame) {
     return has_apron<effects>(frame) ? Status{.error = Error::edges} : Status{};
   }
-  /// The strip was drawn with its apron into the working strip.
+  /// Blends edges; the strip was drawn with its apron into the working strip.
   template <Effects effects>
   static void resolve(const FrameState& frame, const StripTarget& target, StripImage& image) {
     if (!has_apron<effects>(frame)) return;
@@ -66,7 +66,7 @@ struct Stage : NoStage {
   }
 
  private:
-  /// Finds out which edges show. Comes before anything else keeps vertices: they are transformed into the cache.
+  /// Finds the visible edges. Runs before other stages keep vertices, because it transforms vertices into the cache.
   template <Effects effects>
   static void survey(FrameState& frame) {
     frame.has_special_depth = true;
@@ -82,19 +82,19 @@ struct Stage : NoStage {
     });
   }
 
-  /// The vertices of one meshlet at a time, in the meshlets' order.
+  /// Caches the vertices of one meshlet at a time, in the meshlets' order.
   template <Effects effects>
   struct CachedMeshlet {
     FrameState& frame;
     const CompiledInstance& instance;
     const Mesh& mesh;
     std::uint32_t next = 0, first = 0;
-    std::uint32_t count = 0;  ///< none if some are not narrow
+    std::uint32_t count = 0;  ///< 0 if some vertices are not narrow
 
     bool has(std::uint32_t vertex) const { return vertex - first < count; }
     const SnappedVertex& at(std::uint32_t vertex) const { return frame.vertices[vertex - first]; }
 
-    /// Goes on to the next meshlet that has the left face; stays where it is if none has.
+    /// Goes to the next meshlet with the edge's left face; does not move if there is none.
     void go_to(const Edge& edge) {
       if (has(edge.a) && has(edge.b) && has(edge.left)) return;
       const auto meshlets = std::max<std::uint32_t>(static_cast<std::uint32_t>(mesh.meshlets.size()), 1);
@@ -112,7 +112,7 @@ struct Stage : NoStage {
     }
   };
 
-  /// Calls visit(index, edges, its groups) for each instance that can be seen and has edges.
+  /// Calls visit(index, edges, groups) for each visible instance with edges.
   template <class Visit>
   static void for_each_set(const FrameState& frame, const Visit& visit) {
     const Scene& scene = *frame.scene;
@@ -141,13 +141,13 @@ struct Stage : NoStage {
     return group;
   }
 
-  /// Extends a box of pixels by one.
+  /// Extends a box to contain a pixel.
   static void add(Rect& box, std::int32_t x, std::int32_t y) {
     x = (x - kCentreBias) >> 4, y = (y - kCentreBias) >> 4;
     box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
   }
 
-  /// Returns true if an edge shows; then extends `box` by its pixels.
+  /// Returns true if an edge is a candidate to be seen, and extends `box` by its pixels.
   template <bool orthographic, class Cache>
   [[gnu::noinline]] static bool survey_edge(const EdgeProjection<orthographic>& projection, const Edge& edge,
                                             Cache& cache, Rect& box) {

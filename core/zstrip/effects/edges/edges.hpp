@@ -1,4 +1,4 @@
-// Edges of a mesh in the picture: which of them show, where they lie, and how steeply their surface falls away.
+// Edges of a mesh in the picture: finds the visible ones, their position, and how steep the depth of their surface is.
 #pragma once
 
 #include <algorithm>
@@ -10,23 +10,23 @@
 
 namespace zstrip::detail {
 
-/// An edge that shows unless something hides it.
+/// An edge that is visible unless another surface hides it.
 struct SeenEdge {
   WidePosition a, b;
-  WidePosition third[2];  ///< of each face that is drawn a point off the edge
-  int faces;              ///< how many are: 1 or 2
-  bool crease;            ///< one lies on each side
-  bool narrow;            ///< all of these points are
+  WidePosition third[2];  ///< for each drawn face, a point that is not on the edge
+  int faces;              ///< number of drawn faces, 1 or 2
+  bool crease;            ///< the faces lie on different sides of the edge
+  bool narrow;            ///< all of these points are narrow
 };
 
-/// Twice the area of a triangle in 1/16 pixels squared, positive if it is counter-clockwise. Narrow: differences of 15
-/// bits and a sign, products of 30, their sum of 31; else below 2^54.
+/// Returns twice the area of a triangle in 1/256 square pixels, positive if it is counter-clockwise. Narrow:
+/// differences of 15 bits and a sign, products of 30, their sum of 31; else below 2^54.
 template <class Int>
 constexpr Int twice_area(const WidePosition& a, const WidePosition& b, const WidePosition& c) {
   return (Int{c.x} - a.x) * (Int{b.y} - a.y) - (Int{b.x} - a.x) * (Int{c.y} - a.y);
 }
 
-/// An instance's way to the picture, vertex by vertex.
+/// Projects an instance's vertices one by one.
 template <bool orthographic>
 struct EdgeProjection {
   const CompiledInstance& instance;
@@ -44,8 +44,9 @@ struct EdgeProjection {
     return snapped;
   }
 
-  /// For a face that leaves the narrow range or the depth range: twice the area of what is left of it, and in `third`
-  /// its corner that lies farthest from the edge `ends`. Not inlined: its part of the stack is free again then.
+  /// For a face that leaves the narrow range or the depth range: returns twice the area of its clipped polygon, and
+  /// sets `third` to the polygon's corner that is farthest from the edge `ends`. Not inlined, so that its stack is free
+  /// again afterwards.
   [[gnu::noinline]] std::int64_t clipped_face(const std::uint16_t (&corners)[3], const SnappedSegment& ends,
                                               WidePosition& third) const {
     ClipPolygon clipped;
@@ -78,8 +79,8 @@ struct EdgeProjection {
   }
 };
 
-/// Which faces of an edge are drawn, by their areas in the picture; none where the edge does not show. Shown is what
-/// only one of two faces that face the viewer ends at, and a crease between two.
+/// The faces of an edge that are drawn, from their areas in the picture; none if the edge is not shown. An edge is
+/// shown if exactly one of its two faces faces the viewer, or if it is a crease between two such faces.
 struct ShownFaces {
   bool left, right;
 
@@ -100,7 +101,7 @@ struct ShownFaces {
   constexpr bool any() const { return left || right; }
 };
 
-/// `third`: of the left face and of the right one.
+/// Sets the faces of `seen`; `third` has the points of the left and the right face. Returns true if the edge is shown.
 template <class Int>
 constexpr bool show(SeenEdge& seen, const Edge& edge, Int left_area, Int right_area, bool double_sided) {
   const ShownFaces shown(edge, left_area, right_area, double_sided);
@@ -110,7 +111,7 @@ constexpr bool show(SeenEdge& seen, const Edge& edge, Int left_area, Int right_a
   return shown.any();
 }
 
-/// As shows() and see(), of an edge whose faces leave the narrow range or the depth range.
+/// Does the work of shows() and see() for an edge whose faces leave the narrow range or the depth range.
 template <bool orthographic>
 [[gnu::noinline]] bool see_clipped(const EdgeProjection<orthographic>& projection, const Edge& edge, SeenEdge& seen) {
   SnappedSegment ends;
@@ -126,7 +127,7 @@ template <bool orthographic>
   return show(seen, edge, left, right, projection.instance.double_sided);
 }
 
-/// Returns true if an edge shows, by its corners, all of them narrow. `right`: of an edge with two faces.
+/// Returns true if an edge is shown; all its corners are narrow. `right` is null for an edge with one face.
 inline bool shows(const Edge& edge, const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& left,
                   const SnappedVertex* right, bool double_sided) {
   const std::int32_t dx = b.x - a.x, dy = b.y - a.y;
@@ -134,8 +135,8 @@ inline bool shows(const Edge& edge, const SnappedVertex& a, const SnappedVertex&
   return ShownFaces(edge, area_to(left), right == nullptr ? 0 : -area_to(*right), double_sided).any();
 }
 
-/// The first edge from `edge` on that may show: the others have two faces, all corners among the `count` vertices from
-/// `first` on, all of these narrow, and do not show. Most edges do not: a loop that only looks for them.
+/// Returns the first edge from `edge` on that may be shown. Skipped edges have two faces with all corners among the
+/// `count` narrow vertices from `first` on, and are not shown. Most edges are skipped, so that this loop only searches.
 [[gnu::noinline]] inline const Edge* next_that_may_show(const Edge* edge, const Edge* end,
                                                         const SnappedVertex* vertices, std::uint32_t first,
                                                         std::uint32_t count) {
@@ -147,13 +148,13 @@ inline bool shows(const Edge& edge, const SnappedVertex& a, const SnappedVertex&
     const std::int32_t dx = vertices[b].x - ax, dy = vertices[b].y - ay;
     const std::int32_t of_left = (vertices[left].x - ax) * dy - (vertices[left].y - ay) * dx;
     const std::int32_t of_right = (vertices[right].y - ay) * dx - (vertices[right].x - ax) * dy;
-    // True if just one of them is positive, by the sign of their negatives.
+    // The sign bit is set if exactly one of the two is positive.
     if ((-of_left ^ -of_right) < 0 || a > b) return edge;
   }
   return edge;
 }
 
-/// How an edge shows that does, with its ends as they were projected. False if nothing of it is left.
+/// Computes how a shown edge is seen; its ends are already projected. Returns false if it is completely clipped.
 template <bool orthographic>
 bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const SnappedVertex& end_a,
          const SnappedVertex& end_b, SeenEdge& seen) {
@@ -171,11 +172,12 @@ bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const
   return show(seen, edge, left_area, -twice_area<std::int32_t>(seen.a, seen.b, right), double_sided);
 }
 
-/// How many codes a face with the corner c falls in a pixel across the longer axis of the edge a to b; where it is
-/// narrower than a quarter of that, in as much.
+/// Returns how many codes the depth of a face with the corner c changes in one pixel across the longer axis of the edge
+/// a to b. For a face narrower than a quarter of a pixel it returns the change over the face.
 template <class Int>
 std::uint32_t fall_of(const WidePosition& a, const WidePosition& b, const WidePosition& c) {
-  // Depths are taken in eight codes, so that 32 bits are enough: 13 of depth times 15 of length, the sum within 2^30.
+  // Depths are in units of eight codes, so that 32 bits suffice: 13 bits of depth times 15 of length, the sum within
+  // 2^30.
   constexpr int kCodeBits = 3;
   const auto depth = [](const WidePosition& p) { return static_cast<std::int32_t>(p.depth >> (16 + kCodeBits)); };
   const Int dx = Int{b.x} - a.x, dy = Int{b.y} - a.y;
@@ -190,8 +192,8 @@ std::uint32_t fall_of(const WidePosition& a, const WidePosition& b, const WidePo
   return static_cast<std::uint32_t>(std::min(codes, Int{0xFFFF >> kCodeBits})) << kCodeBits;
 }
 
-/// How many codes a cell within a pixel of the edge may lie off the edge's own depth and still be of its surface: what
-/// the steeper of its faces falls there, and what all roundings are.
+/// Returns how many codes a cell within a pixel of the edge may differ from the edge's depth and still belong to its
+/// surface: the change of the steeper face over a pixel, plus all roundings.
 template <class Int>
 std::uint32_t tolerance_of(const SeenEdge& seen) {
   std::uint32_t fall = fall_of<Int>(seen.a, seen.b, seen.third[0]);

@@ -1,4 +1,4 @@
-// Anti-aliasing of edges alone.
+// Anti-aliases edges only.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

@@ -1,5 +1,5 @@
-// Composes camera, transform and bounding box for the vertices of what has an environment map. Once an instance and
-// frame; 64-bit arithmetic.
+// Composes camera, transform and bounding box for the vertices of instances with an environment map, once for each
+// instance and frame, in 64-bit arithmetic.
 #include "zstrip/effects/environment/environment.hpp"
 
 #include <bit>
@@ -14,7 +14,7 @@ struct WideForm {
   std::int64_t part[3], offset;
 };
 
-/// The camera's own `up` is half as long where two samples lie side by side.
+/// Returns the camera's up axis with unit length; Camera::up is half as long if two samples lie side by side.
 Vec3 up_of(const Camera& camera) {
   const Wide3 up = cross(camera.back, camera.right);
   return up == Wide3{0, 0, 0} ? Vec3{0, 0, 0} : unit(up);
@@ -48,7 +48,7 @@ EyeForms eye_forms(const Mesh& mesh, const Transform& transform, const Camera& c
     }
     reach = std::max(reach, sum + static_cast<std::uint64_t>(magnitude(form.offset)));
   }
-  // All three to 30 bits together: the direction counts, not the length.
+  // Shifts all three to 30 bits by the same amount: the direction matters, not the length.
   const int exponent = 34 - std::countl_zero(reach);
   const auto shifted = [](std::int64_t value, int shift) {
     return static_cast<std::int32_t>(
@@ -58,7 +58,7 @@ EyeForms eye_forms(const Mesh& mesh, const Transform& transform, const Camera& c
   LinearForm* const into[3] = {&forms.x, &forms.y, &forms.z};
   for (int row = 0; row < 3; ++row) {
     const WideForm& form = wide[row];
-    // LinearForm takes half of a coefficient at p = 32768: one bit more than the value.
+    // LinearForm uses half of a coefficient at p = 32768: coefficients have one bit more than the value.
     *into[row] = {shifted(form.part[0], exponent - 1), shifted(form.part[1], exponent - 1),
                   shifted(form.part[2], exponent - 1), shifted(form.offset, exponent)};
     for (int column = 0; column < 3; ++column) {

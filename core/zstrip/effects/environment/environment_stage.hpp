@@ -1,4 +1,4 @@
-// Instances with an environment map: the texture coordinates of their vertices.
+// Computes texture coordinates for the vertices of instances with an environment map.
 #pragma once
 
 #include "zstrip/effects/environment/kept.hpp"
@@ -9,7 +9,7 @@
 
 namespace zstrip::detail::environment {
 
-/// Null if the instance has no environment map.
+/// Returns the reflections of an instance's vertices, or null if it has no environment map.
 inline TexCoord* reflections_of(const FrameState& frame, std::uint32_t instance, std::uint32_t cache) {
   const Scene& scene = *frame.scene;
   const CompiledInstance& compiled = frame.instances[instance];

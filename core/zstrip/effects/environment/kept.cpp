@@ -1,4 +1,4 @@
-// Which instances have an environment map, and what their vertices need for it; only renderers with
+// Finds the instances with an environment map, and prepares the data for their vertices; only renderers with
 // effect::environment link it.
 #include "zstrip/effects/environment/kept.hpp"
 
@@ -17,7 +17,7 @@ void prepare(FrameState& frame, const Camera& camera, Effects called_for) {
     const Material& material = scene.materials[scene.instances[i].material];
     if (!compiled.visible || is_outline(compiled) || !has_environment_map(scene, mesh, material)) continue;
     eye_forms_of(frame, i) = detail::eye_forms(mesh, scene.instances[i].transform, camera);
-    // As if the mesh had texture coordinates.
+    // Shades the instance as if the mesh had texture coordinates.
     if (!material.lit) {
       compiled.coloured = false;
       compiled.shade = Shade::textured;

@@ -1,4 +1,4 @@
-// The data that a frame keeps of environment maps.
+// The data that a frame keeps for environment maps.
 #pragma once
 
 #include "zstrip/effects/environment/effect.hpp"
@@ -7,14 +7,14 @@
 
 namespace zstrip::detail::environment {
 
-/// Texture coordinates of what mirrors lie behind the colours of vertices.
+/// The texture coordinates of mirroring instances lie after the colours of vertices.
 struct FrameReflections {
-  std::uint32_t first;  ///< bytes from the vertices
+  std::uint32_t first;  ///< offset in bytes from the vertices
   std::uint32_t unused;
 };
 static_assert(sizeof(FrameReflections) == Effect::kFrameBytes && sizeof(EyeForms) == Effect::kEyeFormsBytes);
 
-// Returns the data of a frame in which something has an environment map.
+// Returns the data of a frame with environment maps.
 inline FrameReflections& reflections_of(const FrameState& frame) {
   return *effect_block(frame).at<Effect, FrameReflections>();
 }
@@ -22,7 +22,7 @@ inline EyeForms& eye_forms_of(const FrameState& frame, std::size_t instance) {
   return effect_block(frame).at<Effect, EyeForms>(Effect::kFrameBytes)[instance];
 }
 
-/// Before the strips. Instances that mirror get the shades of textured ones.
+/// Prepares the instances, before the strips. Mirroring instances get the shades of textured ones.
 void prepare(FrameState& frame, const Camera& camera, Effects called_for);
 
 }  // namespace zstrip::detail::environment

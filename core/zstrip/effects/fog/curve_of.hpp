@@ -1,4 +1,4 @@
-// Where the fog of a frame is kept.
+// The place of a frame's fog.
 #pragma once
 
 #include "zstrip/effects/fog/effect.hpp"
@@ -9,7 +9,7 @@ namespace zstrip::detail::fog {
 
 static_assert(sizeof(FogCurve) == Effect::kCurveBytes);
 
-/// Of a frame whose scene has fog.
+/// Returns the curve of a frame whose scene has fog.
 inline FogCurve* curve_of(const FrameState& frame) { return effect_block(frame).at<Effect, FogCurve>(); }
 
 }  // namespace zstrip::detail::fog

@@ -1,4 +1,4 @@
-// Fog fades what is far into one colour.
+// Fog fades distant surfaces into one colour.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

@@ -1,5 +1,5 @@
-// Fog: how much of a fragment is visible at its distance. A power of two from a table of 17 numbers; once for each 16
-// pixels, linear between.
+// Fog: computes how visible a fragment is at its distance, with a power of two from a table of 17 numbers. It is
+// computed for every 16th pixel and interpolated linearly between.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ constexpr FogCurve fog_curve(const Fog& fog, const DistanceScale& distance) {
 inline constexpr std::uint32_t kPowersOfTwo[17] = {65536, 62757, 60097, 57549, 55109, 52773, 50535, 48393, 46341,
                                                    44376, 42495, 40693, 38968, 37316, 35734, 34219, 32768};
 
-/// 2^-exponent in 0.16 (1.0 is 65536), for an exponent in 16.16; off by less than 1/2000.
+/// Returns 2^-exponent in 0.16 (1.0 is 65536) for an exponent in 16.16; the error is below 1/2000.
 constexpr std::uint32_t power_of_half(std::uint64_t exponent) {
   const std::uint64_t whole = exponent >> 16;
   if (whole > 16) return 0;
@@ -56,7 +56,7 @@ constexpr std::uint32_t power_of_half(std::uint64_t exponent) {
   return (kPowersOfTwo[at] - drop) >> whole;
 }
 
-/// How much of what is `distance` away (16.16, >= 0) is visible: 0..65536.
+/// Returns how visible a surface at `distance` (16.16, >= 0) is: 0..65536.
 constexpr std::int32_t visibility(const FogCurve& fog, Fixed distance) {
   const auto w = static_cast<std::uint64_t>(distance);  // times the density below 2^63: 2^31 * 2^31 * 1.44
   switch (fog.mode) {
@@ -74,7 +74,7 @@ constexpr std::int32_t visibility(const FogCurve& fog, Fixed distance) {
   return static_cast<std::int32_t>(power_of_half(((product * product) >> 16) * kLog2E >> 16));
 }
 
-/// A triangle's distance over the picture.
+/// The distance of a triangle over the picture.
 template <bool orthographic>
 class FogPlane {
  public:
@@ -97,7 +97,7 @@ class FogPlane {
     plane_ = setup.plane(value[0], value[1] - value[0], value[2] - value[0]);
   }
 
-  /// Visibility 0..65536 at a covered pixel, relative to the anchor.
+  /// Returns the visibility, 0..65536, at a covered pixel relative to the anchor.
   std::int32_t at(std::int32_t columns, std::int32_t rows) const {
     return visibility(*fog_, distance(plane_.at(columns, rows)));
   }

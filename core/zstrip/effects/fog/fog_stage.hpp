@@ -1,4 +1,4 @@
-// The fog of a frame: its curve over depth codes, and a background that meets it without a seam.
+// Prepares the fog of a frame: its curve over depth codes, and a background that meets it without a seam.
 #pragma once
 
 #include "zstrip/effects/dithering/dither.hpp"
@@ -18,7 +18,7 @@ struct Stage : NoStage {
     }
     return {};
   }
-  /// Fog is dithered and ends in the background's colour: without a seam only if that is dithered, too.
+  /// Dithered fog ends in the background's colour; there is no seam only if the background is dithered, too.
   template <Effects effects>
   static void draw_background(const FrameState& frame, const Rect& area, std::uint16_t* pixels) {
     if constexpr (effects.has(effect::dithered_colours)) {

@@ -1,4 +1,4 @@
-// Fog at a single pixel, for what is not made of spans: quadrics and lines.
+// Fog at a single pixel, for quadrics and lines, which have no spans.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace zstrip::detail {
 
-/// `depth` in 1/2^32 of all codes, `depth_offset` as distance_at takes it. With a threshold the pixel is dithered.
+/// `depth` is in 1/2^32 of all codes, `depth_offset` is that of distance_at. With a threshold the pixel is dithered.
 template <bool orthographic, class... Threshold>
 std::uint16_t fogged_colour(const FogCurve& fog, const FragmentColour& colour, std::uint32_t depth,
                             std::int64_t depth_offset, Threshold... threshold) {

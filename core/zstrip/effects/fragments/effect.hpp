@@ -1,4 +1,4 @@
-// What is decided fragment by fragment: alpha, and how texels are found.
+// Alpha, and the selection of texels, fragment by fragment.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

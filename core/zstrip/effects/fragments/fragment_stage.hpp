@@ -1,4 +1,4 @@
-// Which instances are drawn fragment by fragment.
+// Finds the instances that are drawn fragment by fragment.
 #pragma once
 
 #include <span>

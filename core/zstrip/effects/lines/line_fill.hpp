@@ -1,4 +1,4 @@
-// Lines and points: one step along the longer axis, as many pixels across it as the line is wide.
+// Draws lines and points: steps along the longer axis, and draws as many pixels across it as the line is wide.
 #pragma once
 
 #include <algorithm>
@@ -15,22 +15,22 @@
 
 namespace zstrip::detail {
 
-/// Samples of a pixel: widths of lines count pixels. Where they are side by side, samples are not square.
+/// The samples of a pixel, because widths of lines are in pixels. Samples that lie side by side are not square.
 struct SampleGrid {
   std::int32_t columns = 1, rows = 1;
 };
 
-/// The colour of one line's pixels; which of its members are used depends on the effects.
+/// The colour of one line's pixels; the effects determine which members are used.
 template <Effects effects>
 struct LineShade {
-  Colour colour{};                ///< the line's
+  Colour colour{};                ///< colour of the line
   std::uint16_t pixel = 0;        ///< `colour` in RGB565
   const FogCurve* fog = nullptr;  ///< only with effect::fog
-  std::int64_t depth_offset = 0;  ///< of distance_at
+  std::int64_t depth_offset = 0;  ///< the offset of distance_at
   [[no_unique_address]] MemberIf<effects, effect::dithered_colours, DitherAnchor> dither{};
   [[no_unique_address]] MemberIf<effects, effect::supersampled, SampleGrid> grid{};
 
-  /// Raster pixel; `depth` in 1/2^32 of all codes.
+  /// Returns the colour of a raster pixel; `depth` in 1/2^32 of all codes.
   std::uint16_t operator()([[maybe_unused]] std::int32_t column, [[maybe_unused]] std::int32_t row,
                            [[maybe_unused]] std::uint32_t depth) const {
     if constexpr (effects.has(effect::fog)) {
@@ -59,7 +59,7 @@ class LineFill {
   using Rule = DepthRule<kMode>;
   using Shade = LineShade<effects>;
 
-  /// All of a set. `shade` has everything but the colour.
+  /// Draws all segments of a set. `shade` has everything except the colour.
   static void draw(const Target& target, const CompiledLines& compiled, const LineSet& lines, const Mesh& mesh,
                    const RasterOrigin& origin, Shade shade) {
     const Rect box = compiled.box.cut_to(target.area);
@@ -89,13 +89,13 @@ class LineFill {
   }
 
  private:
-  /// An end by its place along the longer axis and across it: raster coordinates.
+  /// An end: its raster coordinates along the longer axis and across it.
   struct End {
     std::int32_t along, across;
     std::uint32_t depth;
   };
 
-  /// Fraction bits of stepped depth beyond those of a vertex.
+  /// Fraction bits of stepped depth in addition to those of a vertex.
   static constexpr int kDepthBits = 32;
 
   LineFill(const Target& target, const SnappedSegment& ends, const Shade& shade)
@@ -104,12 +104,12 @@ class LineFill {
   static RasterVertex vertex(const WidePosition& p) { return {p.x, p.y, p.depth, 0, 0, 0, 0, 0}; }
   static std::uint64_t stepped(std::uint32_t depth) { return std::uint64_t{depth} << kDepthBits; }
 
-  /// The pixel in which a coordinate lies.
+  /// Returns the pixel that contains a coordinate.
   static std::int32_t pixel_of(std::int32_t coordinate) { return (coordinate - kCentreBias) >> 4; }
-  /// Returns the coordinate that pixel_of makes the first of `width` pixels around `coordinate`.
+  /// Returns the coordinate whose pixel_of is the first of `width` pixels around `coordinate`.
   static std::int32_t before(std::int32_t coordinate, std::int32_t width) { return coordinate - 8 * (width - 1); }
 
-  /// `width` pixels of the picture in columns, or rows, of what is drawn.
+  /// These convert `width` pixels of the picture to columns, or rows, of samples.
   std::int32_t in_columns(std::int32_t width) const {
     if constexpr (kSupersampled) return width * shade_.grid.columns;
     return width;
@@ -131,7 +131,7 @@ class LineFill {
   void line(const SnappedSegment& ends, std::int32_t width) const {
     const auto& [a, b] = ends;
     const auto distance = [](std::int32_t from, std::int32_t to) { return from < to ? to - from : from - to; };
-    // In pixels of the picture, whatever the samples.
+    // Compares in pixels of the picture, whatever the samples are.
     if (in_rows(distance(a.x, b.x)) >= in_columns(distance(a.y, b.y))) {
       in_order<true>({a.x, a.y, a.depth}, {b.x, b.y, b.depth}, in_rows(width));
     } else {
@@ -139,7 +139,7 @@ class LineFill {
     }
   }
 
-  /// From the lower end on, so that a line and its reverse are the same.
+  /// Walks from the lower end, so that a line and its reverse have the same pixels.
   template <bool columns>
   void in_order(const End& a, const End& b, std::int32_t width) const {
     if (a.along <= b.along) {
@@ -149,15 +149,15 @@ class LineFill {
     }
   }
 
-  /// `columns`: the longer axis is x. In each pixel of that axis which the line touches, `width` pixels around its
-  /// point next to the pixel's centre.
+  /// `columns`: the longer axis is x. In each pixel of that axis which the line touches, draws `width` pixels around
+  /// the line's point next to the pixel's centre.
   template <bool columns>
   void walk(const End& low, const End& high, std::int32_t width) const {
     const Rect& area = target_.area;
     const std::int32_t first = std::max(pixel_of(low.along), columns ? area.left : area.top);
     const std::int32_t last = std::min(pixel_of(high.along), (columns ? area.right : area.bottom) - 1);
     if (first > last) return;
-    // Pixels whose centres lie between the ends. The others have an end as their next point.
+    // Pixels whose centres lie between the ends. For the other pixels the next point is an end.
     const std::int32_t first_between = low.along >> 4, last_between = (high.along - kPixelCentre) >> 4;
     const auto end_at = [&](std::int32_t pixel, const End& end) {
       across<columns>(pixel, pixel_of(before(end.across, width)), width, stepped(end.depth));
@@ -168,13 +168,14 @@ class LineFill {
     if (last > last_between) end_at(last, high);
   }
 
-  /// Pixels across are exact: quotient and remainder of the line's rational slope. Depth errs by less than 1/8 of its
-  /// unit: the steps are rounded to 2^-30, and there are 2^27 sub-pixels at most.
+  /// Pixels across are exact: quotient and remainder of the line's rational slope. The error of depth is below 1/8 of
+  /// its unit: steps are rounded to 2^-30, and there are at most 2^27 sub-pixels.
   template <bool columns>
   void between(const End& low, const End& high, std::int32_t first, std::int32_t last, std::int32_t width) const {
     if (first > last) return;
     const std::int64_t length = std::int64_t{high.along} - low.along;  // below 2^27
-    const std::int64_t rise = std::int64_t{high.across} - low.across;  // not more; twice that with two samples
+    const std::int64_t rise = std::int64_t{high.across} - low.across;  // not more than `length`; twice that with two
+                                                                       // samples
     const std::int64_t start = std::int64_t{first} * 16 + kPixelCentre - low.along;
     const auto denominator = static_cast<std::uint32_t>(length * 16);
     const std::int64_t numerator = (before(low.across, width) - kCentreBias) * length + rise * start;
@@ -191,7 +192,7 @@ class LineFill {
 
     const std::int64_t depth_range = std::int64_t{high.depth} - low.depth;
     const std::uint64_t slope = static_cast<std::uint64_t>(depth_range * (std::int64_t{1} << 30) / length)
-                                << (kDepthBits - 30);  // a sub-pixel
+                                << (kDepthBits - 30);  // per sub-pixel
     std::uint64_t depth = stepped(low.depth) + slope * static_cast<std::uint64_t>(start);
     for (std::int32_t along = first; along <= last; ++along) {
       across<columns>(along, pixel, width, depth);
@@ -202,7 +203,7 @@ class LineFill {
     }
   }
 
-  /// `width` pixels of column (or row) `along`, from `first` on.
+  /// Draws `width` pixels of column (or row) `along`, from `first` on.
   template <bool columns>
   void across(std::int32_t along, std::int32_t first, std::int32_t width, std::uint64_t depth) const {
     const Rect& area = target_.area;
@@ -218,7 +219,7 @@ class LineFill {
     }
   }
 
-  /// As DepthRule steps it.
+  /// Returns the value that DepthRule steps.
   static auto value(std::uint64_t depth) {
     if constexpr (kMode.format == DepthFormat::z16 || kMode.format == DepthFormat::float16) {
       return stepped_depth<kMode.format>(static_cast<std::uint32_t>(depth >> kDepthBits));

@@ -1,4 +1,4 @@
-// Lines of a frame: prepared once, drawn into each strip before the triangles.
+// Draws the lines of a frame: prepared once, drawn into each strip before the triangles.
 #pragma once
 
 #include <span>

@@ -10,12 +10,12 @@
 namespace zstrip::detail {
 
 struct CompiledLines {
-  CompiledInstance instance;  ///< what an instance of its mesh would be; the shading does not count
+  CompiledInstance instance;  ///< as for an instance of its mesh; the shading is ignored
   Rect box;                   ///< raster pixels that it can cover, cut to the view
 };
 static_assert(sizeof(CompiledLines) <= kLineSetBytes);
 
-/// Behind the quadrics, in the instances' part of the arena.
+/// Returns the compiled sets, which lie after the quadrics in the instances' part of the arena.
 inline std::span<CompiledLines> compiled_lines(CompiledInstance* instances, const Scene& scene) {
   auto* const first = reinterpret_cast<std::byte*>(instances);
   return {reinterpret_cast<CompiledLines*>(first + scene.instances.size() * kInstanceBytes +

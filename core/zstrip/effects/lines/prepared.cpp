@@ -24,7 +24,7 @@ Status prepare(FrameState& frame, const Scene& scene, const Camera& camera) {
       return {.error = Error::lines, .needed = i};
     }
     if (!compiled.instance.visible) continue;
-    // Half a width around the box of its vertices.
+    // Extends the box of the vertices by half a line width.
     const auto border = static_cast<std::int32_t>(lines.width * sample_columns(frame.view) / 2 + 1);
     const Rect box = bounds_with_border(compiled.instance, border, frame.origin, frame.view, orthographic);
     compiled.instance.visible = !box.empty();

@@ -1,4 +1,4 @@
-// Sets of lines of a frame, as they are prepared before its strips.
+// Prepares the sets of lines of a frame, before its strips.
 #pragma once
 
 #include "zstrip/effects/lines/lines.hpp"
@@ -6,9 +6,10 @@
 
 namespace zstrip::detail::lines {
 
-/// Extends a reach by each set that lies in the camera's depth range.
+/// Extends `reach` by each set in the camera's depth range.
 void extend(DistanceRange& reach, const Scene& scene, const Camera& camera);
-/// Compiles the sets of lines. The frame has the depth mapping of z16, whatever its format: DepthStage changes both.
+/// Compiles the sets of lines. The frame has the depth mapping of z16, whatever its format; DepthStage later changes
+/// frame and lines.
 Status prepare(FrameState& frame, const Scene& scene, const Camera& camera);
 
 }  // namespace zstrip::detail::lines

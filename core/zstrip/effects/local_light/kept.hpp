@@ -1,4 +1,4 @@
-// The data that a frame keeps of light that depends on where a vertex is.
+// The data that a frame keeps for light that depends on a vertex's position.
 #pragma once
 
 #include "zstrip/effects/local_light/local_light.hpp"

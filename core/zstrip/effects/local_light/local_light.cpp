@@ -1,17 +1,19 @@
-// Local light's constants of a frame and of an instance; see local_light.hpp. 64-bit arithmetic, once each.
+// Computes the constants of local light for a frame and for an instance, once each, in 64-bit arithmetic; see
+// local_light.hpp.
 #include "zstrip/effects/local_light/local_light.hpp"
 
 namespace zstrip::detail {
 namespace {
 
-/// 17.15: 16384 units, so that differences of a light and a vertex fit. What is farther is lit as if it were there.
+/// The largest distance, 17.15: 16384 units, so that differences between a light and a vertex fit. Farther surfaces are
+/// lit as if they were at this distance.
 constexpr std::int64_t kFarthest = std::int64_t{1} << 29;
 
 constexpr std::int32_t clamped(std::int64_t value, std::int64_t limit) {
   return static_cast<std::int32_t>(std::clamp(value, -limit, limit));
 }
 
-/// From 16.16 relative to the eye to 17.15.
+/// Converts 16.16 relative to the eye to 17.15.
 constexpr std::int32_t relative(Fixed coordinate, Fixed eye) {
   return clamped((std::int64_t{coordinate} - eye) >> 1, kFarthest);
 }
@@ -55,10 +57,10 @@ InstanceShading instance_shading(const Mesh& mesh, const Transform& transform, c
     std::int32_t coefficient[3];
     std::int64_t offset = (std::int64_t{m[3]} - eye[row]) * (1 << 15);  // 17.31
     for (int k = 0; k < 3; ++k) {
-      // 9.16 x 13.16 of the half extent, over 32768 grid steps, as LinearForm takes it: value 2^15 = p m h 2^-32.
+      // 9.16 x 13.16 of the half extent, over 32768 grid steps, as LinearForm needs it: value 2^15 = p m h 2^-32.
       coefficient[k] = clamped((std::int64_t{m[k]} * half[k]) >> 16, kFarthest);
       offset += (std::int64_t{m[k]} * centre[k]) >> 1;
-      // As bright whatever the scale: only directions count.
+      // Normalised, so that the scale does not change the brightness: only directions matter.
       shading.normal[row][k] = static_cast<std::int16_t>(std::int64_t{m[k]} * (1 << 14) / largest);
     }
     *forms[row] = {coefficient[0], coefficient[1], coefficient[2], clamped(offset >> 16, kFarthest)};

@@ -1,5 +1,5 @@
-// Light that depends on where a vertex is: point and spot lights, highlights (Blinn-Phong). In world space, relative to
-// the eye, so that no light is turned into an instance's space.
+// Light that depends on the position of a vertex: point and spot lights, highlights (Blinn-Phong). Computed in world
+// space relative to the eye, so that lights need no conversion to an instance's space.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct WorldPoint {
   std::int32_t x, y, z;
 };
 
-/// base^exponent for 0 <= base <= 2^14 (0.14), rounded down at every step: at most 14 multiplications.
+/// Returns base^exponent for 0 <= base <= 2^14 (0.14), rounded down in every step: at most 14 multiplications.
 constexpr std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
   std::uint32_t result = 1U << 14;
   for (; exponent != 0; exponent >>= 1) {
@@ -31,23 +31,24 @@ constexpr std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
   return result;
 }
 
-/// Light that reaches a surface, 8.12: 1.0 is all of a light's colour; saturates.
+/// The amount of light that reaches a surface, 8.12: 1.0 is the light's full colour; saturates.
 using Gain = std::uint32_t;
 inline constexpr Gain kAllOfIt = 1U << 12, kMaxGain = 1U << 20;
 
 /// A punctual light of the frame.
 struct WorldLight {
   WorldPoint position;
-  UnitVector towards;         ///< 1.14, against the direction in which a spot shines
-  std::int32_t range;         ///< 17.15; 0: no end
+  UnitVector towards;         ///< 1.14, opposite to the spot's direction
+  std::int32_t range;         ///< 17.15; 0: unlimited
   std::uint32_t intensity;    ///< 16.16
   std::int32_t cosine_outer;  ///< 1.14
-  std::uint32_t cone;         ///< 2^28 / (cosine of the inner cone - that of the outer), at most 2^28; 0: a point light
+  std::uint32_t cone;         ///< 2^28 / (cosine of the inner cone - cosine of the outer cone), at most 2^28; 0: a
+                              ///< point light
   Colour colour;
 };
 static_assert(sizeof(WorldLight) == local_light::Effect::kWorldLightBytes);
 
-/// How much of a light arrives from `from`, the direction to it; KHR_lights_punctual.
+/// Returns the amount of a light that arrives from `from`, the direction to it, as KHR_lights_punctual defines it.
 constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& from) {
   // intensity / d^2, d = root 2^shift / 2^15.
   const std::uint32_t half = from.inverse >> 1;
@@ -86,7 +87,7 @@ struct InstanceShading {
 };
 static_assert(sizeof(InstanceShading) == local_light::Effect::kShadingBytes);
 
-/// And what it needs of the frame.
+/// Values of the frame for its local light.
 struct FrameLights {
   WorldLight lights[kMaxPunctualLights];
   UnitVector back;  ///< 1.14: the direction to the eye of an orthographic camera
@@ -97,7 +98,7 @@ static_assert(sizeof(FrameLights) == local_light::Effect::kFrameLightsBytes);
 FrameLights frame_lights(const Scene& scene, const Camera& camera);
 InstanceShading instance_shading(const Mesh& mesh, const Transform& transform, const Camera& camera);
 
-/// Sum of light on a vertex, 0..255 a channel and beyond. A light adds less than 2^16 + 1: a product below 2^28 + 2^11.
+/// The sum of light on a vertex, 0..255 a channel or more. A light adds at most 2^16; a product is below 2^28 + 2^11.
 struct LightSum {
   std::uint32_t r, g, b;
   constexpr void add(const Colour& colour, Gain gain) {
@@ -107,8 +108,8 @@ struct LightSum {
   }
 };
 
-/// A point of a surface, and what it sends to the eye of one light after the other. `direction` makes unit vectors:
-/// direction_of, or what is quicker.
+/// A point of a surface. Adds the light that it reflects to the eye, one light after the other. `direction` makes unit
+/// vectors: direction_of, or a faster function.
 template <Effects effects, auto direction>
 struct LitPoint {
   WorldPoint at;
@@ -117,7 +118,7 @@ struct LitPoint {
   bool shines;
   LightSum diffuse{0, 0, 0}, highlights{0, 0, 0};
 
-  /// Adds the highlight of light with the factor `gain`, from `towards`.
+  /// Adds the highlight of a light with the factor `gain`, from `towards`.
   void add_highlight(const UnitVector& towards, const Colour& colour, Gain gain) {
     if constexpr (effects.has(effect::specular)) {
       if (!shines || dot(normal, towards) <= 0) return;
@@ -127,7 +128,7 @@ struct LitPoint {
       highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
     }
   }
-  /// Adds the highlight of a directional light, whose other part does not depend on the position.
+  /// Adds the highlight of a directional light, whose diffuse part does not depend on the position.
   void add_highlight(const DirectionalLight& light) {
     add_highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
   }
@@ -142,7 +143,8 @@ struct LitPoint {
     add_highlight(from.unit, light.colour, gain);
   }
 
-  /// All local light, times the surface's colours. `lights`: the directional ones, but for what is in a light's shadow.
+  /// Adds all local light, times the surface's colours. `lights`: the directional lights, without the one that casts a
+  /// shadow here.
   [[gnu::always_inline]] void add_all_to(LightSum& total, std::span<const DirectionalLight> lights,
                                          const FrameLights& frame, const Colour& colour, const Colour& specular) {
     if constexpr (effects.has(effect::specular)) {
@@ -186,8 +188,8 @@ void add_local_light(LightSum& total, const CompiledInstance& instance, const Me
   point.add_all_to(total, scene.lights.first(instance.light_count), *frame, instance.base, finish.specular);
 }
 
-/// The colour of a lit vertex with everything that the effects add; before the vertex colour. `frame` and `shading` are
-/// null where the scene has no local light.
+/// Returns the colour of a lit vertex with all these effects, before the vertex colour. `frame` and `shading` are null
+/// if the scene has no local light.
 template <Effects effects>
 Colour locally_lit_colour(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex, const Scene& scene,
                           [[maybe_unused]] const FrameLights* frame, [[maybe_unused]] const InstanceShading* shading,

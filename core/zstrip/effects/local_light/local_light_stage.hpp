@@ -1,4 +1,5 @@
-// Light that depends on where a vertex is: what a frame keeps for it, and the colours of a meshlet's vertices.
+// Light that depends on the position of a vertex: prepares a frame's data for it, and computes the colours of a
+// meshlet's vertices.
 #pragma once
 
 #include "zstrip/effects/local_light/kept.hpp"
@@ -17,7 +18,7 @@ inline void prepare(const FrameState& frame, const Camera& camera) {
   }
 }
 
-/// False if the instance has no light beyond what all have.
+/// Returns false if the instance has only ambient and directional light.
 template <Effects effects>
 bool shade(FrameState& frame, const Batch& batch, const MeshletRange& range, std::uint32_t cache) {
   const Scene& scene = *frame.scene;

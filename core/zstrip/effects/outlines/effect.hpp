@@ -1,4 +1,4 @@
-// Outlines: hulls behind what they outline.
+// Outlines: hulls behind the instances that they outline.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
@@ -12,7 +12,7 @@ struct Effect : AnyEffect {
 
   static constexpr Effects kNeedMemory = effect::outlines;
   static constexpr std::uint32_t kAlignment = 8;
-  static constexpr std::uint32_t kSceneBytes = 232;  ///< the scene with hulls as instances of their own
+  static constexpr std::uint32_t kSceneBytes = 232;  ///< the scene with its hulls as instances
   static constexpr std::uint64_t bytes(const SceneCounts&) { return kSceneBytes; }
 };
 

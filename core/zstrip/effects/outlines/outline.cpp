@@ -8,27 +8,28 @@
 namespace zstrip::detail {
 namespace {
 
-/// 1/16 raster pixels along x.
+/// Returns the width in 1/16 raster pixels along x.
 std::int64_t width_across(std::uint16_t width, const View& view) { return std::int64_t{width} * sample_columns(view); }
 
-/// 1/16 raster pixels a unit of length (perspective: at distance 1), along x: 16 fraction bits.
+/// Returns the number of 1/16 raster pixels for a unit of length (perspective: at distance 1) along x, with 16 fraction
+/// bits.
 std::int64_t sixteenths(const Camera& camera, const View& view) { return std::int64_t{camera.focal} * view.height * 8; }
 
-/// How far a unit normal reaches in the picture's depth: perspective: in 1/2^30 of the distance, at most half of it;
-/// orthographic: a length.
+/// Returns how far a unit normal extends along the viewing direction. Perspective: in 1/2^30 of the distance, at most
+/// half of it; orthographic: a length.
 std::int64_t reach_of_normal(std::uint16_t width, const Camera& camera, const View& view) {
   const bool orthographic = camera.projection == Projection::orthographic;
   const std::int64_t limit = (std::int64_t{1} << (orthographic ? 59 : 29)) - 1;
-  // Below 2^9 << 53; the fraction bits of `sixteenths` are 16.
+  // Below 2^9 << 53; `sixteenths` has 16 fraction bits.
   const std::int64_t share = (width_across(width, view) << 53) / sixteenths(camera, view);
   static_assert(kDistanceBits + 16 == 54);
   return std::min(orthographic ? share << 1 : share >> (53 - 46), limit);
 }
 
-/// `sign`: 1, or -1 for the other way.
+/// `sign` is 1, or -1 for the opposite direction.
 void set_axis(ObjectLight& to, const Vec3& axis, std::int64_t sign, const Transform& transform) {
   const std::int64_t world[3] = {sign * axis.x, sign * axis.y, sign * axis.z};
-  std::int64_t turned[3] = {};  // the transform's transpose: 9.16 * 2.30, three terms: below 2^56
+  std::int64_t turned[3] = {};  // multiplied by the transform's transpose: 9.16 * 2.30, three terms: below 2^56
   for (int column = 0; column < 3; ++column) {
     for (int k = 0; k < 3; ++k) turned[column] += transform.m[k][column] * world[k];
   }
@@ -36,7 +37,7 @@ void set_axis(ObjectLight& to, const Vec3& axis, std::int64_t sign, const Transf
   to = {};
   if (wide == Wide3{0, 0, 0}) return;
   const Vec3 direction = unit(wide);
-  // 127 is 1 of a normal's.
+  // A normal's component of 1 is 127.
   const auto component = [](std::int32_t c) {
     return static_cast<std::int16_t>((std::int64_t{c} * 128 / 127 + (1 << 15)) >> 16);
   };
@@ -66,7 +67,7 @@ void make_outline(CompiledInstance& hull, const Outline& outline, const Transfor
   set_axis(hull.lights[2], camera.back, -1, transform);
   std::int64_t reach = reach_of_normal(outline.width, camera, view);
   if (camera.projection == Projection::orthographic) {
-    // The instance's w is the distance shifted right by as many bits as far is.
+    // The instance's w is the distance, shifted right by as many bits as its far value is.
     const auto bits = [](std::int64_t value) { return 64 - std::countl_zero(static_cast<std::uint64_t>(value)); };
     const int shift = bits(fit.far) - bits(std::int64_t{hull.w_near} + hull.w_range);
     constexpr std::int64_t kLimit = (std::int64_t{1} << 29) - 1;

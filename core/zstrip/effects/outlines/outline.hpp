@@ -1,4 +1,4 @@
-// Outlines: instances of a hull whose vertices are moved away from it, and of which the far side is drawn.
+// Outlines: instances of a hull whose vertices are moved outwards, and of which only the far side is drawn.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +11,22 @@
 
 namespace zstrip::detail {
 
-/// CompiledInstance::light_count of an outline, which has no lights. In their place lie: lights[0], [1] and [2], the
-/// directions to the picture's right, down and away from the viewer in object space, 1.14, a unit of normals long;
-/// lights[3].x and .y, the width across and down in 1/16 raster pixels; lights[3].z << lights[3].r, by how much a
-/// normal's length moves away, in 1/2^30 of the distance, orthographic in its steps.
+/// The value of CompiledInstance::light_count that marks an outline. An outline has no lights. Instead, lights[0], [1]
+/// and [2] hold the directions to the picture's right, down and away from the viewer in object space, 1.14, with the
+/// length of a unit normal; lights[3].x and .y hold the width to the right and down in 1/16 raster pixels; lights[3].z
+/// << lights[3].r is the distance that a normal's length moves away, in 1/2^30 of the distance, or in steps of w if
+/// orthographic.
 inline constexpr std::uint8_t kOutlineLights = kMaxLights + 1;
 
 constexpr bool is_outline(const CompiledInstance& instance) { return instance.light_count == kOutlineLights; }
 
-/// The triangle as its back sees it: what faces away becomes what is drawn.
+/// Returns the triangle with its back as its front, so that faces which face away are drawn.
 constexpr Triangle turned_round(const Triangle& triangle) { return {triangle.a, triangle.c, triangle.b}; }
 
 /// A vertex of an outline's hull.
 struct HullVertex {
-  std::int32_t right, down;  ///< added to its raster coordinates, 1/16 pixels; below 2^12, whatever the normal
-  std::int32_t w;            ///< its distance, as the instance's form has it; below 2^30
+  std::int32_t right, down;  ///< added to its raster coordinates, 1/16 pixels; below 2^12 for any normal
+  std::int32_t w;            ///< distance, in the scale of the instance's form; below 2^30
 };
 
 template <bool orthographic>
@@ -35,8 +36,8 @@ inline HullVertex hull_vertex(const CompiledInstance& instance, const Mesh& mesh
   // Below 2^14.9, because three components may be 128: the sum of two squares is below 2^30.5.
   const auto along = [&n](const ObjectLight& axis) { return (n.x * axis.x + n.y * axis.y + n.z * axis.z) >> 7; };
   const std::int32_t right = along(instance.lights[0]), down = along(instance.lights[1]);
-  // A silhouette's normal is shorter in the picture where it is seen from the side. Moved in space by as much less, it
-  // keeps its width: the root of the square, one step of Newton's from 1.
+  // A silhouette's normal is shorter in the picture if it is seen from the side. The vertex is then moved less in
+  // space, so that the outline keeps its width. The root of the square is one step of Newton's method from 1.
   const std::int32_t square = (right * right + down * down) >> 14;
   const std::int32_t share = square < kOne ? (kOne + square) >> 1 : kOne;
   const auto [width_x, width_y, reach, shift] = [&instance] {
@@ -52,7 +53,7 @@ inline HullVertex hull_vertex(const CompiledInstance& instance, const Mesh& mesh
   if constexpr (!orthographic) moved = w + ((std::int64_t{w} * away) >> 30);
   const auto on_screen = [&](std::int32_t component, std::int32_t width) {
     std::int32_t part = (component * share) >> 14;
-    if constexpr (!orthographic) part -= (part * (away >> 16)) >> 14;  // what moves away becomes smaller
+    if constexpr (!orthographic) part -= (part * (away >> 16)) >> 14;  // parts that move away become smaller
     return (part * width + kOne / 2) >> 14;
   };
   HullVertex vertex{on_screen(right, width_x), on_screen(down, width_y), 0};
@@ -61,7 +62,7 @@ inline HullVertex hull_vertex(const CompiledInstance& instance, const Mesh& mesh
   return vertex;
 }
 
-/// As transform_vertices, of a hull.
+/// Does the same as transform_vertices for a hull.
 template <bool orthographic, DepthFormat format>
 [[gnu::noinline]] bool transform_hull(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                                       std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
@@ -82,10 +83,10 @@ template <bool orthographic, DepthFormat format>
   return all_narrow;
 }
 
-/// Adds the distances of a hull, of an outline `width` (1/16 pixels) wide, to those that its box spans.
+/// Returns the distances of a box, extended by the hull of an outline `width` (1/16 pixels) wide.
 DistanceRange with_outline(const DistanceRange& range, std::uint16_t width, const Camera& camera, const View& view);
 
-/// Makes an outline of its compiled hull. `view`: of samples where there are several.
+/// Makes an outline of its compiled hull. `view` is the picture of samples if pixels have several.
 void make_outline(CompiledInstance& hull, const Outline& outline, const Transform& transform, const Camera& camera,
                   const View& view, const DepthFit& fit);
 

@@ -8,7 +8,7 @@
 namespace zstrip::detail::outlines {
 namespace {
 
-/// Calls visit(index of the hull's instance, outline) for each of them, in their order.
+/// Calls visit(index of the hull's instance, outline) for each outline, in order.
 template <class Visit>
 void for_each_hull(const OutlinedScene& outlined, const Visit& visit) {
   const Scene& scene = outlined.scene;
@@ -34,7 +34,7 @@ void extend(DistanceRange& reach, const OutlinedScene& outlined, const Camera& c
 void add_hulls(const FrameState& frame, Scene& scene) {
   const std::span<Instance> drawn{effect_block(frame).at<changed_instances::Memory, Instance>(),
                                   effect_block(frame).instances()};
-  // Billboards that were turned are here already.
+  // The instances are already here if billboards were rotated.
   auto next = static_cast<std::uint32_t>(scene.instances.size());
   for (std::uint32_t i = 0; i < next; ++i) drawn[i] = scene.instances[i];
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
@@ -55,9 +55,9 @@ void make_outlines(FrameState& frame, const Camera& camera) {
   const OutlinedScene& outlined = *outlined_of(frame);
   for_each_hull(outlined, [&](std::uint32_t index, const Outline& outline) {
     CompiledInstance& hull = frame.instances[index];
-    if (frame.fit.near == 0 || hull.w_range == 0) return;  // not in the depth range
+    if (frame.fit.near == 0 || hull.w_range == 0) return;  // outside the depth range
     make_outline(hull, outline, outlined.scene.instances[index].transform, camera, frame.view, frame.fit);
-    // Normals may be longer than one.
+    // The border is wider than the outline, because normals may be longer than one.
     const std::int32_t border = hull.lights[3].x / 8 + 1;
     const Rect box = bounds_with_border(hull, border, frame.origin, frame.view, orthographic);
     hull.visible = !box.empty();

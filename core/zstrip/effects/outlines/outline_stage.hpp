@@ -1,4 +1,4 @@
-// Outlines of a frame: hulls behind what they outline, which are instances of their own.
+// The outlines of a frame: hulls, as separate instances, behind the instances that they outline.
 #pragma once
 
 #include <span>
@@ -10,11 +10,11 @@
 
 namespace zstrip::detail::outlines {
 
-/// A scene with its outlines' hulls as instances behind all others, and without outlines.
+/// A scene with the hulls of its outlines as its last instances.
 struct OutlinedScene {
-  Scene scene;                  ///< without its outlines, but with the index of the first one
-  std::uint32_t outline_count;  ///< the caller's
-  std::uint32_t instances;      ///< the caller's
+  Scene scene;                  ///< without outlines, but with the index of the first one
+  std::uint32_t outline_count;  ///< number of the caller's outlines
+  std::uint32_t instances;      ///< number of the caller's instances
 
   std::span<const Outline> outlines() const { return {scene.outlines.data(), outline_count}; }
 };
@@ -23,12 +23,12 @@ static_assert(sizeof(OutlinedScene) <= Effect::kSceneBytes);
 /// Returns the data of a frame with outlines.
 inline OutlinedScene* outlined_of(const FrameState& frame) { return effect_block(frame).at<Effect, OutlinedScene>(); }
 
-/// Gives the scene its outlines' hulls as instances and takes the outlines away; all of it lies in the effects' part of
-/// the arena then.
+/// Adds the hulls of outlines to the scene as instances, and removes the outlines. Afterwards the instances lie in the
+/// effects' part of the arena.
 void add_hulls(const FrameState& frame, Scene& scene);
-/// Extends a reach by the hulls. `view`: of samples where there are several.
+/// Extends `reach` by the hulls. `view` is the picture of samples if pixels have several.
 void extend(DistanceRange& reach, const OutlinedScene& outlined, const Camera& camera, const View& view);
-/// Makes outlines of the hulls, which have been compiled as instances.
+/// Makes outlines of the hulls, which are compiled as instances.
 void make_outlines(FrameState& frame, const Camera& camera);
 
 struct Stage : NoStage {
@@ -54,7 +54,7 @@ struct Stage : NoStage {
     if (request.called_for.has(effect::outlines)) make_outlines(frame, request.camera);
     return {};
   }
-  /// A hull shows only its far side, also where front and back of all else are drawn.
+  /// A hull shows only its far side, even if instances are drawn double-sided.
   template <Effects effects>
   static Status prepare(FrameState& frame, const FrameRequest&) {
     if constexpr (methods::culls(effects)) {

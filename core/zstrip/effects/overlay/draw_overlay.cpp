@@ -1,4 +1,4 @@
-// Sprites, backgrounds and glyphs: each is a rectangle, clipped and blended row by row.
+// Draws sprites, backgrounds and glyphs: each is a rectangle, clipped and blended row by row.
 #include "zstrip/overlay.hpp"
 
 #include <cstddef>
@@ -9,32 +9,32 @@
 namespace zstrip {
 namespace {
 
-/// Where it is drawn.
+/// The pixels that are drawn into.
 struct Target {
   Rect area;
   std::uint16_t* pixels;
 };
 
-/// A rectangle of the picture, and what is in it.
+/// A rectangle of the picture and its contents.
 struct Piece {
   Rect place;
-  const std::uint16_t* colours;  ///< null: of one colour
-  const std::uint8_t* coverage;  ///< null: all of it is covered
-  std::uint32_t bits;            ///< of a pixel's coverage
-  Colour colour;                 ///< alpha: of all pixels
+  const std::uint16_t* colours;  ///< null: one colour
+  const std::uint8_t* coverage;  ///< null: completely covered
+  std::uint32_t bits;            ///< bits of a pixel's coverage
+  Colour colour;                 ///< its alpha is for all pixels
 };
 
 constexpr std::uint16_t to_rgb565(const Colour& c) {
   return static_cast<std::uint16_t>((c.r & 0xF8) << 8 | (c.g & 0xFC) << 3 | c.b >> 3);
 }
 
-/// value / 255, rounded to nearest; 0 <= value <= 65535.
+/// Returns value / 255, rounded to nearest; 0 <= value <= 65535.
 constexpr std::uint32_t over_255(std::uint32_t value) {
   value += 128;
   return (value + (value >> 8)) >> 8;
 }
 
-/// Each channel: (alpha over + (255 - alpha) under) / 255, rounded to nearest.
+/// Returns (alpha over + (255 - alpha) under) / 255 for each channel, rounded to nearest.
 constexpr std::uint16_t mixed(std::uint32_t over, std::uint32_t under, std::uint32_t alpha) {
   const auto mix = [&](std::uint32_t shift, std::uint32_t mask) {
     return over_255(alpha * (over >> shift & mask) + (255 - alpha) * (under >> shift & mask)) << shift;
@@ -42,7 +42,7 @@ constexpr std::uint16_t mixed(std::uint32_t over, std::uint32_t under, std::uint
   return static_cast<std::uint16_t>(mix(11, 31) | mix(5, 63) | mix(0, 31));
 }
 
-/// 0..255.
+/// Returns the coverage of a pixel, 0..255.
 constexpr std::uint32_t coverage_at(const std::uint8_t* row, std::uint32_t x, std::uint32_t bits) {
   if (bits == 8) return row[x];
   if (bits == 4) return (row[x / 2] >> (x % 2 == 0 ? 4 : 0) & 15U) * 17U;

@@ -1,4 +1,4 @@
-// The letters of the two fonts, as rows to be read, and the tables that are made of them.
+// The letters of the two fonts as readable rows, and the tables that are computed from them.
 #include "zstrip/overlay.hpp"
 
 #include <utility>
@@ -89,7 +89,7 @@ constexpr std::uint32_t code_point_of(std::size_t letter) {
   return letter + 1 == kFontGlyphs ? 0xFFFD : static_cast<std::uint32_t>(letter) + U' ';
 }
 
-/// Pixels of a letter at `scale` times its size.
+/// The pixels of a letter at `scale` times its size.
 template <int scale>
 struct Cell {
   static constexpr int kWidth = scale * kCellWidth, kHeight = scale * kCellHeight;
@@ -105,8 +105,8 @@ constexpr Cell<1> cell_of(std::size_t letter) {
   return cell;
 }
 
-/// Twice as large: a quarter of a pixel takes the colour of the two sides that it touches, if they agree and the others
-/// do not (Scale2x).
+/// Returns the cell twice as large. A quarter of a pixel takes the colour of the two neighbours that it touches, if
+/// these agree and the other two differ from them (Scale2x).
 template <int scale>
 constexpr Cell<2 * scale> doubled(const Cell<scale>& cell) {
   Cell<2 * scale> result;
@@ -126,11 +126,11 @@ constexpr Cell<2 * scale> doubled(const Cell<scale>& cell) {
   return result;
 }
 
-/// A font of 12x16 pixels, 4 bits each, is made from one of four times as many pixels.
+/// The font of 12x16 pixels, 4 bits each, is computed from one with four times as many pixels.
 constexpr int kLargeWidth = 2 * kCellWidth, kLargeHeight = 2 * kCellHeight;
 struct LargeLetter {
   std::uint8_t coverage[std::size_t{kLargeHeight}][std::size_t{kLargeWidth}] = {};
-  int left = kLargeWidth, top = kLargeHeight, right = 0, bottom = 0;  ///< of what is covered
+  int left = kLargeWidth, top = kLargeHeight, right = 0, bottom = 0;  ///< bounds of the covered pixels
   constexpr int width() const { return right > left ? right - left : 0; }
   constexpr int height() const { return right > left ? bottom - top : 0; }
   constexpr int row_bytes() const { return (width() + 1) / 2; }
@@ -154,7 +154,7 @@ constexpr LargeLetter enlarged(std::size_t letter) {
   return result;
 }
 
-/// Each is an evaluation of its own: compilers limit the steps of one.
+/// A constant for each letter, because compilers limit the steps of one evaluation.
 template <std::size_t letter>
 constexpr LargeLetter kEnlarged = enlarged(letter);
 template <std::size_t... letters>

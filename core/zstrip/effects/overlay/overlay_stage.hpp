@@ -1,4 +1,4 @@
-// The hooks of effect::overlay in the stages of a frame: a strip's finished pixels are drawn over.
+// The hooks of effect::overlay in the stages of a frame: draw over a strip's finished pixels.
 #pragma once
 
 #include "zstrip/effects/overlay/valid_overlay.hpp"
@@ -15,7 +15,7 @@ struct Stage : NoStage {
     const Overlay* const overlay = request.scene.overlay;
     return overlay != nullptr ? validate_items(*overlay) : Status{};
   }
-  /// Pixels that something else has begun are not finished here.
+  /// Refuses draw_over: its pixels may not be finished.
   template <Effects effects>
   static Status check_over(const FrameState& frame) {
     return frame.scene->overlay != nullptr ? Status{.error = Error::overlay} : Status{};

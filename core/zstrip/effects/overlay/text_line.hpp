@@ -1,4 +1,4 @@
-// Lines of a label: where they end, which glyphs they have, and how wide they are.
+// Splits a label into lines and glyphs, and measures lines.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,15 @@
 
 namespace zstrip::detail {
 
-/// Up to a byte of 0.
+/// Returns the text up to a byte of 0.
 constexpr std::span<const char> whole_text(std::span<const char> text) {
   std::size_t size = 0;
   while (size < text.size() && text[size] != '\0') ++size;
   return text.first(size);
 }
 
-/// Takes the first line off a text, and the '\n' behind it.
+/// Removes the first line and the '
+/// ' after it from a text, and returns the line.
 constexpr std::span<const char> take_line(std::span<const char>& text) {
   std::size_t size = 0;
   while (size < text.size() && text[size] != '\n') ++size;
@@ -26,7 +27,7 @@ constexpr std::span<const char> take_line(std::span<const char>& text) {
   return line;
 }
 
-/// Null if the font has none.
+/// Returns the glyph of a code point, or null if the font has none.
 constexpr const Glyph* find_glyph(const Font& font, std::uint32_t code_point) {
   std::size_t first = 0, count = font.glyphs.size();
   while (count > 0) {
@@ -42,13 +43,13 @@ constexpr const Glyph* find_glyph(const Font& font, std::uint32_t code_point) {
   return found ? &font.glyphs[first] : nullptr;
 }
 
-/// Takes the first character off a line that is not empty; null: nothing is shown for it.
+/// Removes the first character from a line that is not empty, and returns its glyph; null: nothing is shown for it.
 constexpr const Glyph* take_glyph(const Font& font, std::span<const char>& line) {
   const Glyph* const own = find_glyph(font, take_code_point(line));
   return own != nullptr ? own : find_glyph(font, font.replacement);
 }
 
-/// Pixels that the pen moves.
+/// Returns the pixels by which the pen moves.
 constexpr std::int32_t width_of(const Font& font, std::span<const char> line) {
   std::int32_t width = 0;
   while (!line.empty()) {

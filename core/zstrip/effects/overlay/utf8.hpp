@@ -1,4 +1,4 @@
-// Code points of text in UTF-8.
+// Decodes UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace zstrip::detail {
 
-/// None is as large.
+/// A value that is not a code point.
 inline constexpr std::uint32_t kNoCodePoint = 0xFFFFFFFF;
 
-/// Takes the first code point off a text that is not empty. Of a byte that begins no valid sequence (cut off, overlong,
-/// a surrogate, beyond U+10FFFF) kNoCodePoint: this byte alone is taken.
+/// Removes the first code point from a text that is not empty, and returns it. If a byte begins no valid sequence (cut
+/// off, overlong, a surrogate, beyond U+10FFFF), removes only this byte and returns kNoCodePoint.
 constexpr std::uint32_t take_code_point(std::span<const char>& text) {
   const auto byte = [&text](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(text[i])}; };
   const std::uint32_t lead = byte(0);

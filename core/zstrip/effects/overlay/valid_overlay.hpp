@@ -1,4 +1,4 @@
-// Checks of an overlay: nothing that passes is read out of bounds, and no place of a pixel overflows.
+// Checks an overlay: a valid one is never read out of bounds, and no position of a pixel overflows.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace zstrip {
 
-/// The part of an overlay that is not valid: Status::available of Error::overlay.
+/// The part of an overlay that is not valid, in Status::available of Error::overlay.
 enum class OverlayPart : std::uint8_t { image, font, sprite, label };
 
 namespace detail {
 
-/// Bytes of a row of coverage.
+/// Returns the bytes of a row of coverage.
 constexpr std::uint32_t coverage_row_bytes(std::uint32_t width, std::uint32_t bits) { return (width * bits + 7) / 8; }
 
 constexpr bool valid_coverage_bits(std::uint8_t bits) { return bits == 1 || bits == 4 || bits == 8; }
@@ -69,7 +69,7 @@ constexpr Status validate_items(const Overlay& overlay) {
 
 }  // namespace detail
 
-/// Time: linear in images, glyphs, sprites and labels.
+/// Checks the whole overlay. Time: linear in images, glyphs, sprites and labels.
 constexpr Status validate(const Overlay& overlay) {
   for (std::uint32_t i = 0; i < overlay.images.size(); ++i) {
     if (!detail::valid_image(overlay.images[i])) return detail::not_valid(OverlayPart::image, i);

@@ -1,4 +1,4 @@
-// Light at each pixel.
+// Computes light at each pixel.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

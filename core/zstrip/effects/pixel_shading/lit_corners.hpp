@@ -1,4 +1,4 @@
-// Normals and places of a triangle's corners, where its pixels are lit.
+// Normals and positions of the corners of triangles that are lit at their pixels.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,22 @@
 namespace zstrip::detail {
 
 struct LitCorner {
-  Vector3 normal{};  ///< 1.21, as long as the mesh's; in the world where there is local light, else in the object
-  Vector3 place{};   ///< WorldPoint; only where there is local light
+  Vector3 normal{};  ///< 1.21, with the length of the mesh's normal; in world space with local light, else in object
+                     ///< space
+  Vector3 place{};   ///< WorldPoint; only with local light
 };
 
-/// Of one triangle.
+/// The surface of one triangle.
 struct LitSurface : Surface {
-  LitCorner corners[3];  ///< set where the instance has_lit_fragments
+  LitCorner corners[3];  ///< set if the instance has_lit_fragments
   explicit LitSurface(const Surface& surface) : Surface(surface) {}
 };
 
-/// Of triangles whose fragments have effects.
+/// The surface of triangles whose fragments have effects.
 template <Effects effects>
 using FragmentSurface = std::conditional_t<effects.has(effect::pixel_shading), LitSurface, Surface>;
 
-/// Of a vertex of the mesh.
+/// Returns the corner for a vertex of the mesh.
 template <Effects effects>
 LitCorner lit_corner(const Mesh& mesh, std::uint32_t vertex, const PixelLightSettings& settings) {
   const Normal& n = mesh.normals[vertex];
@@ -43,10 +44,11 @@ LitCorner lit_corner(const Mesh& mesh, std::uint32_t vertex, const PixelLightSet
   return {{n.x * (1 << 14), n.y * (1 << 14), n.z * (1 << 14)}, {}};
 }
 
-/// While a triangle is clipped, its vertices have in place of their colours how much they have of each of its corners.
+/// While a triangle is clipped, the colours of its vertices are replaced by the weights of its three corners; this is
+/// weight 1.
 inline constexpr std::int32_t kWholeCorner = 1 << 30;
 
-/// `corner`: 0, 1 or 2.
+/// Sets the weights of a corner; `corner` is 0, 1 or 2.
 template <class Vertex>
 void set_corner(Vertex& vertex, int corner) {
   vertex.r = corner == 0 ? kWholeCorner : 0;
@@ -54,7 +56,7 @@ void set_corner(Vertex& vertex, int corner) {
   vertex.b = corner == 2 ? kWholeCorner : 0;
 }
 
-/// What a clipped vertex has of something of the corners: three terms of 30 and 31 bits, below 2^62.
+/// Returns the weighted sum of values of the corners at a clipped vertex: three terms of 30 and 31 bits, below 2^62.
 inline std::int32_t mixed_by(const RasterVertex& vertex, std::int32_t a, std::int32_t b, std::int32_t c) {
   return static_cast<std::int32_t>(
       (std::int64_t{a} * vertex.r + std::int64_t{b} * vertex.g + std::int64_t{c} * vertex.b) >> 30);
@@ -63,7 +65,7 @@ inline Vector3 mixed_by(const RasterVertex& vertex, const Vector3& a, const Vect
   return {mixed_by(vertex, a.x, b.x, c.x), mixed_by(vertex, a.y, b.y, c.y), mixed_by(vertex, a.z, b.z, c.z)};
 }
 
-/// Gives a triangle of a clipped one's what its pixels need of that one's corners, and its vertices their colours.
+/// Computes the corners and the colours of one triangle of a clipped triangle, from the whole triangle's corners.
 inline void take_corners(RasterVertex (&vertices)[3], const LitCorner (&of)[3], const RasterVertex (&colours)[3],
                          LitSurface& surface) {
   for (int i = 0; i < 3; ++i) {

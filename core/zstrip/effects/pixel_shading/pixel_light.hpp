@@ -1,4 +1,4 @@
-// Light at a pixel: normals interpolated over a triangle and made unit vectors there, under all lights of the scene.
+// Light at a pixel: interpolates normals over a triangle, normalises them there, and adds all lights of the scene.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace zstrip::detail {
 
-/// Adds a directional light, on the material that its colour has in it. `light` is 1.15 in the space of the normal.
+/// Adds a directional light; `colour` already contains the material's colour. `light` is 1.15 in the space of the
+/// normal.
 template <class Light>
 void add_directional(LightSum& total, const Light& towards, const Colour& colour, const UnitVector& normal) {
   const std::int32_t cosine = normal.x * towards.x + normal.y * towards.y + normal.z * towards.z;  // 3.29: below 2^30
@@ -21,7 +22,7 @@ void add_directional(LightSum& total, const Light& towards, const Colour& colour
   total.add(colour, std::min(static_cast<Gain>(cosine) >> 17, kAllOfIt));
 }
 
-/// What the light of one triangle's pixels is made of. `settings` outlive it.
+/// The values for the light on one triangle's pixels. `settings` must outlive it.
 template <Effects effects>
 class PixelLight {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
@@ -46,10 +47,11 @@ class PixelLight {
     }
   }
 
-  /// Whether this triangle is lit at its pixels.
+  /// True if this triangle is lit at its pixels.
   bool is_on() const { return is_on_; }
 
-  /// The colour of the lit material, 0..255 a channel. A call of its own: the loop around it keeps its registers.
+  /// Returns the colour of the lit material, 0..255 a channel. Not inlined, so that the loop around it keeps its
+  /// registers.
   [[gnu::noinline]] FragmentColour at(std::int32_t columns, std::int32_t rows,
                                       const PixelLightSettings& settings) const {
     const CompiledInstance& instance = *settings.instance;

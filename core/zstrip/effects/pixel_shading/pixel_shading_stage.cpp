@@ -1,4 +1,4 @@
-// Which instances are lit at their pixels; only renderers with effect::pixel_shading link it.
+// Finds the instances that are lit at their pixels; only renderers with effect::pixel_shading link it.
 #include "zstrip/effects/pixel_shading/pixel_shading_stage.hpp"
 
 #include "zstrip/effects/outlines/outline.hpp"
@@ -12,7 +12,8 @@ void prepare(FrameState& frame) {
     if (!compiled.visible || is_outline(compiled) || !is_lit_by_pixel(mesh, scene.materials[compiled.material])) {
       continue;
     }
-    // Vertices have their own colour and no light; lights and ambient light have the material's already.
+    // Vertices keep their own colour without light; directional and ambient light already contain the material's
+    // colour.
     compiled.lit = false;
     compiled.base = {255, 255, 255, 255};
     compiled.shade = with_lit_fragments(compiled.shade);

@@ -1,11 +1,11 @@
-// Instances that are lit at their pixels.
+// Prepares instances that are lit at their pixels.
 #pragma once
 
 #include "zstrip/effects/stage.hpp"
 
 namespace zstrip::detail::pixel_shading {
 
-/// Before the strips: their vertices keep their own colours, without light.
+/// Call it before the strips: the instances' vertices keep their own colours, without light.
 void prepare(FrameState& frame);
 
 struct Stage : NoStage {

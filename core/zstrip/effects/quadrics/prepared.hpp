@@ -1,4 +1,4 @@
-// Quadrics of a frame, as they are prepared before its strips.
+// Prepares the quadrics of a frame, before its strips.
 #pragma once
 
 #include "zstrip/effects/quadrics/quadric.hpp"
@@ -6,9 +6,9 @@
 
 namespace zstrip::detail::quadrics {
 
-/// Compiles the quadrics, for the depth mapping that the frame has now.
+/// Compiles the quadrics for the frame's current depth mapping.
 Status prepare(FrameState& frame, const Scene& scene, const Camera& camera);
-/// Behind the instances, in their part of the arena.
+/// Returns the compiled quadrics, which lie after the instances in their part of the arena.
 inline CompiledQuadric* compiled(const FrameState& frame, const Scene& scene) {
   auto* const first = reinterpret_cast<std::byte*>(frame.instances);
   return reinterpret_cast<CompiledQuadric*>(first + scene.instances.size() * kInstanceBytes);

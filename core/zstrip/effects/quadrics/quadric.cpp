@@ -9,7 +9,7 @@
 namespace zstrip::detail {
 namespace {
 
-/// What the pixel loop's shifts allow; beyond it, depth is too steep or too flat for any z-buffer.
+/// The limits of the pixel loop's shifts. Outside of them, depth is too steep or too flat for any z-buffer.
 constexpr std::int32_t kMinRootShift = -24, kMaxRootShift = 23;
 
 /// The unit sphere's axes and centre, in the coordinates right, up, distance.
@@ -36,7 +36,7 @@ ViewQuadric in_view(const Transform& transform, const Camera& camera) {
   return {{column(0), column(1), column(2)}, column(3)};
 }
 
-/// Columns of the inverse of the matrix with these columns; false if it has none.
+/// Computes the columns of the inverse of the matrix with these columns. Returns false if it has no inverse.
 bool invert(const Scaled3 (&axis)[3], Scaled3 (&inverse)[3]) {
   const Scaled3 rows[3] = {cross(axis[1], axis[2]), cross(axis[2], axis[0]), cross(axis[0], axis[1])};
   const Scaled determinant = dot(axis[0], rows[0]);
@@ -48,13 +48,13 @@ bool invert(const Scaled3 (&axis)[3], Scaled3 (&inverse)[3]) {
   return true;
 }
 
-/// Picture coordinates in pixels of a side of the silhouette.
+/// The range of a silhouette in one picture coordinate, in pixels.
 struct Side {
   std::int32_t low, high;
 };
 
-/// Where the silhouette begins and ends along `across`, one of the coordinates in view space, in pixels from the
-/// picture's centre; everything if that is not known. One pixel more on each side.
+/// Returns the begin and the end of the silhouette along `across`, one of the coordinates in view space, in pixels from
+/// the picture's centre; everything if they are unknown. One pixel is added on each side.
 Side silhouette(const ViewQuadric& q, Scaled Scaled3::*across, const Scaled& pixels_per_unit, bool orthographic) {
   constexpr std::int32_t kBeyond = 1 << 20;
   Scaled width2, width_depth, depth2;
@@ -66,7 +66,7 @@ Side silhouette(const ViewQuadric& q, Scaled Scaled3::*across, const Scaled& pix
   const Scaled centre = q.centre.*across;
   Scaled middle = centre, reach = root(width2);
   if (!orthographic) {
-    // The two planes through the eye that touch it: (centre - t depth)^2 = sum of (axis - t depth)^2.
+    // The two planes through the eye that touch the quadric: (centre - t depth)^2 = sum of (axis - t depth)^2.
     const Scaled a = q.centre.z * q.centre.z - depth2;
     if (q.centre.z.sign() <= 0 || a < (q.centre.z * q.centre.z).shifted(-20)) return {-kBeyond, kBeyond};
     const Scaled b = centre * q.centre.z - width_depth;
@@ -80,7 +80,7 @@ Side silhouette(const ViewQuadric& q, Scaled Scaled3::*across, const Scaled& pix
   return {pixel((middle - reach) * pixels_per_unit) - 1, pixel((middle + reach) * pixels_per_unit) + 2};
 }
 
-/// Raster pixels of the view that it can cover.
+/// Returns the raster pixels of the view that the quadric can cover.
 Rect box_of(const ViewQuadric& q, const View& view, const Scaled& pixels_per_unit, bool orthographic) {
   const Side across = silhouette(q, &Scaled3::x, pixels_per_unit, orthographic);
   const Side up = silhouette(q, &Scaled3::y, pixels_per_unit, orthographic);
@@ -90,7 +90,7 @@ Rect box_of(const ViewQuadric& q, const View& view, const Scaled& pixels_per_uni
   return box.empty() ? Rect{} : box;
 }
 
-/// A vector that is linear in pixels: at the anchor, and steps to the right and down.
+/// A vector that is linear in pixels: its value at the anchor, and its steps to the right and down.
 struct PixelPlane {
   Scaled3 start, step_x, step_y;
 
@@ -100,12 +100,12 @@ struct PixelPlane {
   }
 };
 
-/// How far pixels of the box lie from the anchor.
+/// The largest distance of the box's pixels from the anchor.
 struct Reach {
   Scaled columns, rows;
 };
 
-/// In the fixed point of DirectionPlane; only the direction counts. `root_bound`: no root is greater.
+/// Converts to the fixed point of DirectionPlane; only the direction matters. `root_bound`: no root is greater.
 DirectionPlane direction_plane(const PixelPlane& plane, const Scaled3& per_root, const Reach& reach,
                                std::int32_t root_bits, std::int32_t direction_shift) {
   const Scaled Scaled3::*const members[3] = {&Scaled3::x, &Scaled3::y, &Scaled3::z};
@@ -152,7 +152,7 @@ void extend(DistanceRange& reach, std::span<const Quadric> quadrics, const Camer
 DistanceRange distance_range(const Quadric& quadric, const Camera& camera) {
   const ViewQuadric q = in_view(quadric.transform, camera);
   const Scaled reach = root(q.axis[0].z * q.axis[0].z + q.axis[1].z * q.axis[1].z + q.axis[2].z * q.axis[2].z);
-  // Sums and roots are right to 2^-28: outwards by more.
+  // Sums and roots have an error of 2^-28; the range is widened by more.
   const Scaled slack = (reach + q.centre.z.magnitude()).shifted(-26);
   return {(q.centre.z - reach - slack).fixed(kDistanceBits), (q.centre.z + reach + slack).fixed(kDistanceBits)};
 }
@@ -174,7 +174,7 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
   compiled.box = box_of(q, view, pixels_per_unit, orthographic);
   if (compiled.box.empty()) return {};
 
-  // The pixel next to the centre, where products of differences stay small.
+  // The anchor is the pixel next to the centre, where products of differences stay small.
   const auto centre = [&](const Scaled& coordinate) {
     const Scaled pixels = coordinate * pixels_per_unit;
     return (orthographic || q.centre.z.sign() <= 0 ? pixels : pixels / q.centre.z).fixed(0);
@@ -190,8 +190,8 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
   };
   const Reach reach{furthest(compiled.anchor_x, box.left, box.right), furthest(compiled.anchor_y, box.top, box.bottom)};
 
-  // A pixel's ray in the unit sphere's space: perspective, distance times `ray`, less `pole`, in units in which pixels
-  // are 1 apart; orthographic, `ray` plus distance times `pole`.
+  // A pixel's ray in the unit sphere's space. Perspective: distance times `ray`, minus `pole`, in units in which pixels
+  // are 1 apart. Orthographic: `ray` plus distance times `pole`.
   const Scaled3 sphere_centre = q.centre.x * inverse[0] + q.centre.y * inverse[1] + q.centre.z * inverse[2];
   const auto pixel_centre = [](std::int32_t pixel, std::uint16_t size) {
     return Scaled(2 * std::int64_t{pixel} + 1 - (size & 1), -1);
@@ -203,17 +203,18 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
   ray.start = orthographic ? ray.start - sphere_centre : ray.start + pixels_per_unit * inverse[2];
   const Scaled3 pole = orthographic ? inverse[2] : sphere_centre;
 
-  // |distance ray - pole| = 1, and the same with 1 / distance: a quadratic equation each. Its leading coefficient:
+  // |distance ray - pole| = 1 is a quadratic equation in distance, and also in 1 / distance. This is its leading
+  // coefficient:
   Scaled leading = dot(pole, pole);
   if (!orthographic) {
     leading = leading - Scaled(1, 0);
-    const Scaled least(1, -20);  // a camera on the surface: moved off it by less than 2^-21 of a radius
+    const Scaled least(1, -20);  // for a camera on the surface: moves it away by less than 2^-21 of a radius
     if (leading.magnitude() < least) leading = leading.sign() < 0 ? -least : least;
   }
   const bool inside = leading.sign() < 0;
   if (inside && !compiled.shows_inside) return {};
 
-  // Units of depth for the solution, and their value where it is 0.
+  // The depth for one unit of the solution, and the depth where the solution is 0.
   Scaled units;
   std::int64_t at_zero = 0;
   compiled.nearest = fit.quotient_at_near;
@@ -227,7 +228,7 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
     units = Scaled(fit.quotient_at_near, 0) * Scaled(fit.near, -kDistanceBits) / pixels_per_unit;
     compiled.farthest = (Scaled(fit.quotient_at_near, 0) * Scaled(fit.near, 0) / Scaled(fit.far, 0)).fixed(0);
   }
-  // A depth range or a ray that is thinner than the bits that are left of it.
+  // The depth range or the ray is thinner than its remaining bits.
   if (units.sign() == 0 || leading.sign() == 0) return {.error = Error::quadric};
   const Scaled per_leading = units / leading;
   const auto along_pole = ray.mapped([&](const Scaled3& v) { return Scaled3{dot(v, pole), {}, {}}; });
@@ -236,7 +237,8 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
   compiled.linear_x = static_cast<std::uint64_t>((per_leading * along_pole.step_x.x).fixed(0));
   compiled.linear_y = static_cast<std::uint64_t>((per_leading * along_pole.step_y.x).fixed(0));
 
-  // Discriminant: |ray|^2 (orthographic: |pole|^2) - |ray x pole|^2, which cancels less than the usual form.
+  // Discriminant: |ray|^2 (orthographic: |pole|^2) - |ray x pole|^2, which loses less by cancellation than the usual
+  // form.
   const PixelPlane across = ray.mapped([&](const Scaled3& v) { return cross(v, pole); });
   const auto product_of = [&](Scaled3 PixelPlane::*a, Scaled3 PixelPlane::*b) {
     const Scaled crossed = dot(across.*a, across.*b);
@@ -252,7 +254,7 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
   const Scaled bound = at_anchor.magnitude() + x.magnitude() * reach.columns + y.magnitude() * reach.rows +
                        xx.magnitude() * reach.columns * reach.columns + xy.magnitude() * reach.columns * reach.rows +
                        yy.magnitude() * reach.rows * reach.rows;
-  // To 61 or 62 bits, with an even shift.
+  // Scaled to 61 or 62 bits, with an even shift.
   compiled.root_shift = std::clamp((bound.log2_bound() - 61) >> 1, kMinRootShift, kMaxRootShift);
   const auto scaled = [&](const Scaled& value) {
     return static_cast<std::uint64_t>(value.fixed(-2 * compiled.root_shift));
@@ -274,7 +276,7 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
     compiled.surface = direction_plane(surface, per_root, reach, root_bits, compiled.direction_shift);
   }
   if (compiled.lit) {
-    // Normals go by the inverse's transpose.
+    // Normals are transformed by the inverse's transpose.
     Scaled3 axes[3], columns[3];
     for (int c = 0; c < 3; ++c) {
       const auto entry = [&](int r) { return Scaled(quadric.transform.m[r][c], -kFixedBits); };

@@ -1,4 +1,4 @@
-// The pixel loop of spheres and ellipsoids: step the radicand, take its root, test the depth, shade.
+// The pixel loop of spheres and ellipsoids: steps the radicand, takes its root, tests the depth, shades.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace zstrip::detail {
 
-/// Which side of a quadric is drawn where both lie in the depth range.
+/// The side of a quadric that is drawn if both sides lie in the depth range.
 enum class QuadricSide : std::uint8_t { near, far };
 
 template <Effects effects, QuadricSide side = QuadricSide::near>
@@ -24,13 +24,13 @@ class QuadricFill {
   using Target = TargetFor<kMode>;
   using Rule = DepthRule<kMode>;
 
-  /// `offset`: what the frame's mapping adds to the depth of `quadric`.
+  /// `offset` is added to the depth of `quadric` by the frame's mapping.
   template <class Shade>
   static void draw(const Target& target, const CompiledQuadric& quadric, std::int64_t offset, const Shade& shade) {
     const Rect box = quadric.box.cut_to(target.area);
     if (box.empty()) return;
     if constexpr (methods::keeps_bounds(kMode.method())) target.method->bounds.forget(box);
-    // Its codes are those between these two, whatever the mapping.
+    // The quadric's codes lie between these two in any mapping.
     const RasterVertex farthest{0, 0, static_cast<std::uint32_t>(quadric.farthest + offset), 0, 0, 0, 0, 0};
     const RasterVertex nearest{0, 0, static_cast<std::uint32_t>(quadric.nearest + offset), 0, 0, 0, 0, 0};
     const Rule rule(target, farthest, nearest, nearest, 1);
@@ -42,7 +42,7 @@ class QuadricFill {
   }
 
  private:
-  /// In units of depth.
+  /// A root in units of depth.
   template <bool cut>
   using Root = std::conditional_t<cut, std::uint64_t, std::uint32_t>;
 
@@ -58,10 +58,10 @@ class QuadricFill {
   static void fill(const Target& target, const CompiledQuadric& q, const Rect& box, std::int64_t offset,
                    const Rule& rule, const Shade& shade) {
     const auto wide = [](std::int32_t value) { return static_cast<std::uint64_t>(std::int64_t{value}); };
-    // Once a row leaves the silhouette it does not enter it again, unless this is a hyperbola.
+    // A row that leaves the silhouette does not enter it again, unless the silhouette is a hyperbola.
     const bool convex = static_cast<std::int64_t>(q.radicand_xx) < 0;
     const std::int32_t left = box.left - q.anchor_x;
-    // A root of 32 bits is below 2^31 where it is one of the surface: whatever is shifted out of it leaves 0.
+    // A root of 32 bits that belongs to the surface is below 2^31, so that a larger shift would also give 0.
     const std::int32_t direction_shift = cut ? q.direction_shift : std::min<std::int32_t>(q.direction_shift, 31);
     for (std::int32_t row = box.top; row < box.bottom; ++row) {
       const std::int32_t rows = row - q.anchor_y;
@@ -90,7 +90,7 @@ class QuadricFill {
     }
   }
 
-  /// Calls paint(1, depth) or, for the far side, paint(-1, depth) if the pixel is to be drawn.
+  /// Calls paint(1, depth) or, for the far side, paint(-1, depth) if the pixel passes the test.
   template <bool cut, class Paint>
   static void draw_pixel(const CompiledQuadric& q, Root<cut> linear, Root<cut> root, std::int64_t offset,
                          const Rule& rule, typename Rule::Cell& cell, const Paint& paint) {

@@ -1,4 +1,4 @@
-// The colour of a quadric's pixel: its normal under the scene's lights, and its texture.
+// The colour of a quadric's pixel: its normal with the scene's lights, and its texture.
 #pragma once
 
 #include <bit>
@@ -19,7 +19,8 @@ struct QuadricNormal {
   std::int32_t x, y, z;
 };
 
-/// Any length below 2^14 in each component. `root` is shifted by CompiledQuadric::direction_shift.
+/// Returns a direction of any length, below 2^14 in each component. `root` is shifted by
+/// CompiledQuadric::direction_shift.
 inline QuadricNormal direction_at(const DirectionPlane& plane, std::int32_t columns, std::int32_t rows,
                                   std::int32_t root) {
   const auto component = [&](int i) {
@@ -28,7 +29,7 @@ inline QuadricNormal direction_at(const DirectionPlane& plane, std::int32_t colu
   return {component(0), component(1), component(2)};
 }
 
-/// The same direction with a length of one, 2.12; components below 2^14.
+/// Returns the direction with length one, 2.12; components are below 2^14.
 inline QuadricNormal unit(const QuadricNormal& d) {
   const auto square = static_cast<std::uint32_t>(d.x * d.x + d.y * d.y + d.z * d.z);  // below 2^30
   if (square == 0) return d;
@@ -38,12 +39,13 @@ inline QuadricNormal unit(const QuadricNormal& d) {
   return {(d.x * inverse) >> shift, (d.y * inverse) >> shift, (d.z * inverse) >> shift};
 }
 
-/// The cosine is 5.27; shifted, 0..255 where both are unit vectors.
+/// The cosine is 5.27; shifted, it is 0..255 if both vectors are unit vectors.
 inline Colour lit_colour(const CompiledQuadric& quadric, const QuadricNormal& normal) {
   return lit_by<19, 7>(quadric, normal);
 }
 
-/// Longitude across, latitude down: the middle of the texture faces the sphere's +z, its upper edge is the pole +y.
+/// Maps longitude to u and latitude to v: the middle of the texture faces the sphere's +z, its upper edge is the pole
+/// +y.
 inline std::uint16_t texel_at(const TextureView& texture, const QuadricNormal& d) {
   const auto u = static_cast<std::uint32_t>(arctangent(d.x, d.z) + kFullTurn / 2) & 0xFFFFU;  // 0.16
   const std::uint64_t square = static_cast<std::uint32_t>(d.x * d.x + d.z * d.z);
@@ -59,16 +61,16 @@ inline std::uint16_t texel_at(const TextureView& texture, const QuadricNormal& d
   return texture.texels[((row < last_row ? row : last_row) << texture.log2_width) + column];
 }
 
-/// Colours of one quadric's pixels; which of its members are used depends on the effects.
+/// The colours of one quadric's pixels; the effects determine which members are used.
 template <Effects effects>
 struct QuadricShade {
   const CompiledQuadric& quadric;
   TextureView texture;
   const FogCurve* fog = nullptr;  ///< only with effect::fog
-  std::int64_t depth_offset = 0;  ///< of distance_at
+  std::int64_t depth_offset = 0;  ///< the offset of distance_at
   [[no_unique_address]] MemberIf<effects, effect::dithered_colours, DitherAnchor> dither{};
 
-  /// `root` may be negative: the far side. `depth` in 1/2^32 of all codes.
+  /// Returns the colour of a pixel. `root` is negative on the far side. `depth` in 1/2^32 of all codes.
   std::uint16_t operator()(std::int32_t columns, std::int32_t rows, std::int32_t root, std::uint32_t depth) const {
     if constexpr (effects.has(effect::dithered_colours)) {
       if (dither.dithered) return dithered_colour(columns, rows, root, depth);
@@ -81,7 +83,7 @@ struct QuadricShade {
   }
 
  private:
-  /// Dithered once, last.
+  /// Dithers once, as the last step.
   std::uint16_t dithered_colour(std::int32_t columns, std::int32_t rows, std::int32_t root, std::uint32_t depth) const {
     const std::uint32_t threshold = dither.threshold(columns, rows);
     if constexpr (effects.has(effect::fog)) {

@@ -1,4 +1,4 @@
-// Quadrics of a frame: prepared once, drawn into each strip before lines and triangles.
+// Draws the quadrics of a frame: prepared once, drawn into each strip before lines and triangles.
 #pragma once
 
 #include "zstrip/effects/fog/curve_of.hpp"

@@ -1,4 +1,4 @@
-// The mean of a pixel's samples.
+// Computes the mean of a pixel's samples.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@ namespace zstrip::detail {
 
 using SamplePair [[gnu::may_alias]] = std::uint32_t;
 
-/// Sums of the channels of two samples side by side, spread. Of four samples, with what rounds them, green takes 8 bits
-/// (4 * 63 + 3), red and blue 7.
+/// Returns the sums of the channels of two adjacent samples, spread as in kSpreadChannels. The sum of four samples and
+/// the rounding needs 8 bits for green (4 * 63 + 3), 7 for red and blue.
 constexpr std::uint32_t sum_of_pair(std::uint32_t pair) {
   return (pair & kSpreadChannels) + (((pair >> 16) | (pair << 16)) & kSpreadChannels);
 }
 
-/// The pixels of `area`, a rectangle of the picture, from their samples: area.width() * sample_columns(view) a row,
-/// sample_rows(view) rows a pixel, without gaps, aligned to 4. A channel is the sum of its samples, over their number,
-/// rounded to nearest, halves up; `dithered`: rounded by the threshold of Bayer's matrix of order 2 for every second
-/// pixel, whose finer ones the samples have had. `pixels` may be the samples' own memory: each is written after it was
-/// read.
+/// Computes the pixels of `area`, a rectangle of the picture, from their samples: area.width() * sample_columns(view) a
+/// row, sample_rows(view) rows a pixel, without gaps, aligned to 4. A channel is the mean of its samples, rounded to
+/// nearest, halves up. `dithered`: rounded by the threshold of Bayer's matrix of order 2, because the samples were
+/// dithered with the finer matrix. `pixels` may be the samples' own memory: each pixel is written after its samples
+/// were read.
 template <bool dithered>
 void average_samples(const View& view, const Rect& area, const std::uint16_t* samples, std::uint16_t* pixels) {
   const auto* pairs = reinterpret_cast<const SamplePair*>(samples);

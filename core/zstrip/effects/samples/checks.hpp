@@ -7,9 +7,9 @@
 
 namespace zstrip::detail::samples {
 
-/// Whether a view can have its samples, and a camera show them.
+/// Checks that the view's samples are supported and that the camera can show them.
 Status check_view(const Camera& camera, const View& view);
-/// A plan for pixels of RGB565 has no working strip.
+/// Checks that a plan for RGB565 pixels has a working strip.
 Status check_colour(const View& view, const Plan& plan);
 
 }  // namespace zstrip::detail::samples

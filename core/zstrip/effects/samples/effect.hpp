@@ -1,4 +1,4 @@
-// Several samples a pixel.
+// Supersampling: several samples a pixel.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

@@ -1,5 +1,5 @@
-// What effect::supersampled adds to the stages of a frame: before them a picture of samples takes the place of the
-// pixels', after them the means of its strips are pixels again.
+// The parts of effect::supersampled in the stages of a frame: first a picture of samples replaces the picture of
+// pixels, and at the end the means of each strip's samples are pixels again.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace zstrip::detail::samples {
 
-/// Of a view with several samples. All checks of pixels come first, so that errors count pixels. Then the picture of
-/// samples is drawn. Its camera's axes may be halves: billboards turn to the picture's own.
+/// Begins a frame with several samples a pixel. Pixels are checked first, so that errors are in pixels. Then the
+/// picture of samples is drawn. Its camera may have shortened axes, so that billboards use the camera of the picture.
 template <Effects effects>
 Status begin_frame(FrameState& frame, const FrameRequest& request, std::span<std::byte> arena) {
   const View& view = request.view;
@@ -41,7 +41,7 @@ struct Stage : NoStage {
   static Status check_over(const FrameState& frame) {
     return frame.view.samples == 1 ? Status{} : Status{.error = Error::samples, .needed = frame.view.samples};
   }
-  /// The mean takes the place of the samples, or goes straight to the caller's pixels.
+  /// Writes the means over the samples, or directly into the caller's pixels.
   template <Effects effects>
   static void resolve(const FrameState& frame, const StripTarget&, StripImage& image) {
     const View& view = frame.view;

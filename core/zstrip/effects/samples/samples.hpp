@@ -1,4 +1,4 @@
-// The picture of samples that is drawn for a view with several samples a pixel, and the way back to pixels.
+// Converts between a view with several samples a pixel and the picture of samples that is drawn for it.
 #pragma once
 
 #include "zstrip/budget.hpp"
@@ -7,7 +7,7 @@
 
 namespace zstrip::detail {
 
-/// Its pixels are the samples. View::samples stays: the number of samples of a pixel of the display.
+/// Returns the view whose pixels are the samples. View::samples does not change.
 constexpr View view_of_samples(View view) {
   view.width = static_cast<std::uint16_t>(view.width * sample_columns(view));
   view.height = static_cast<std::uint16_t>(view.height * sample_rows(view));
@@ -19,7 +19,7 @@ constexpr View view_of_pixels(View samples) {
   return samples;
 }
 
-/// The same strips of the same bytes. `view`: of either picture.
+/// Returns the plan with the same strips in samples, of the same bytes. `view` may be that of either picture.
 constexpr Plan plan_of_samples(Plan plan, const View& view) {
   plan.strip_columns = static_cast<std::uint16_t>(plan.strip_columns * sample_columns(view));
   plan.strip_rows = static_cast<std::uint16_t>(plan.strip_rows * sample_rows(view));
@@ -31,7 +31,7 @@ constexpr Plan plan_of_pixels(Plan samples, const View& view) {
   return samples;
 }
 
-/// The pixels that have a sample in a rectangle of the picture of samples.
+/// Returns the pixels that have a sample in a rectangle of the picture of samples.
 constexpr Rect pixels_of(const Rect& samples, const View& view) {
   const auto columns = static_cast<std::int32_t>(sample_columns(view));
   const auto rows = static_cast<std::int32_t>(sample_rows(view));
@@ -42,8 +42,9 @@ constexpr Rect pixels_of(const Rect& samples, const View& view) {
 /// The longest focal length that camera_of_samples can double.
 inline constexpr Fixed kMaxFocal = INT32_MAX / 2;
 
-/// What shows in the picture of samples what `camera` does in that of pixels. A focal length counts halves of the
-/// height, so that two by two samples need no other camera; two side by side have twice the length, and half of `up`.
+/// Returns the camera that shows in the picture of samples what `camera` shows in the picture of pixels. A focal length
+/// is relative to half of the height, so that two by two samples need no other camera; two samples side by side need
+/// twice the focal length, and half of `up`.
 constexpr Camera camera_of_samples(Camera camera, const View& view) {
   if (sample_columns(view) == sample_rows(view)) return camera;
   camera.focal *= 2;

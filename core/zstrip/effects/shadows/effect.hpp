@@ -1,4 +1,4 @@
-// Shadows: a map that is drawn from the light.
+// Shadows: a map of depths is drawn from the light.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
@@ -15,7 +15,7 @@ struct Effect : AnyEffect {
 
   static constexpr Effects kNeedMemory = effect::shadows;
   static constexpr std::uint32_t kAlignment = 8;
-  static constexpr std::uint32_t kStateBytes = 2656;  ///< the frame's shadow and tiles of its map, decoded
+  static constexpr std::uint32_t kStateBytes = 2656;  ///< the frame's shadow, and decoded tiles of its map
   static constexpr std::uint64_t bytes(const SceneCounts& counts) {
     return std::uint64_t{kStateBytes} + counts.shadow_pool;
   }

@@ -1,4 +1,4 @@
-// Where a frame keeps its shadow.
+// The place of a frame's shadow.
 #pragma once
 
 #include "zstrip/effects/shadows/shadow_map.hpp"

@@ -1,4 +1,4 @@
-// The camera of a shadow map; see light_view.hpp. Once a frame, 64-bit arithmetic.
+// Computes the camera of a shadow map, once a frame in 64-bit arithmetic; see light_view.hpp.
 #include "zstrip/effects/shadows/light_view.hpp"
 
 #include <algorithm>
@@ -11,13 +11,13 @@ constexpr std::int64_t kMaxWord = INT32_MAX;
 
 Vec3 negated(const Vec3& v) { return {-v.x, -v.y, -v.z}; }
 
-/// An axis in 2.30 times 2.30.
+/// Multiplies an axis in 2.30 by a factor in 2.30.
 Vec3 shortened(const Vec3& axis, std::int64_t factor) {
   const auto times = [factor](std::int32_t c) { return static_cast<std::int32_t>((c * factor) >> 30); };
   return {times(axis.x), times(axis.y), times(axis.z)};
 }
 
-/// Half of what the picture shows, 16.16: half of the reach, a pixel more, and what rounding takes.
+/// Returns half of the length that the picture shows, 16.16: half of the reach, a pixel more, and the rounding errors.
 std::int64_t half_of(const DistanceRange& range, std::uint32_t side) {
   const std::int64_t half = ((range.farthest - range.nearest) >> (kToFixed + 1)) + 1;
   return half + half * 2 / (std::int64_t{side} - 2) + 4;
@@ -40,13 +40,15 @@ Status light_camera(Camera& camera, const LightReach& reach, std::uint32_t side)
   const Status failure{.error = Error::shadow};
   const Vec3 right = negated(reach.axes[0].back), up = negated(reach.axes[1].back), back = reach.axes[2].back;
   std::int64_t half_x = half_of(reach.along[0], side), half_y = half_of(reach.along[1], side);
-  // Neither so small that its reciprocal has no room, nor so much smaller that its axis had no bits left.
+  // Both halves must be large enough for their reciprocals, and the smaller one large enough that its axis keeps some
+  // bits.
   const std::int64_t larger = std::max<std::int64_t>(std::max(half_x, half_y), 256);
   if (larger > kMaxWord) return failure;
   half_x = std::max(half_x, std::max<std::int64_t>(larger >> 6, 256));
   half_y = std::max(half_y, std::max<std::int64_t>(larger >> 6, 256));
   const std::int64_t focal = (std::int64_t{1} << 32) / std::min(half_x, half_y) + 1;
-  // A scene that is flat from the light has a depth, too, or a code would be less than the bits of a position.
+  // If the scene is flat when seen from the light, its depth is enlarged: otherwise a code would be smaller than the
+  // precision of positions.
   const std::int64_t reach_away = ((reach.along[2].farthest - reach.along[2].nearest) >> kToFixed) + 2;
   const std::int64_t depth = std::max(reach_away, larger >> 4);
   const std::int64_t near = std::max<std::int64_t>(depth >> 4, 64);

@@ -1,4 +1,4 @@
-// The camera of a shadow map: how a directional light sees what casts shadows, all of it and as large as possible.
+// The camera of a shadow map: shows all casters from a directional light, as large as possible.
 #pragma once
 
 #include "zstrip/camera.hpp"
@@ -8,14 +8,14 @@
 
 namespace zstrip::detail {
 
-/// How far what casts reaches along the map's right, its up, and away from the light.
+/// The distances that the casters span along the map's right and up axes, and away from the light.
 struct LightReach {
-  Camera axes[3];  ///< at the origin: distances from them are those along the axes
+  Camera axes[3];  ///< at the origin; their viewing directions are the axes
   DistanceRange along[3]{kNoReach, kNoReach, kNoReach};
 
   explicit LightReach(const DirectionalLight& light);
   bool empty() const { return along[0].nearest > along[0].farthest; }
-  /// `range_of(camera)` is the DistanceRange of something that casts.
+  /// `range_of(camera)` returns the DistanceRange of a caster.
   template <class RangeOf>
   void extend(const RangeOf& range_of) {
     for (int i = 0; i < 3; ++i) {
@@ -26,10 +26,10 @@ struct LightReach {
   }
 };
 
-/// An orthographic camera with parallel rays from the light, for a picture of side x side pixels (16 or more): the
-/// reach, which is not empty, lies inside it with a pixel around it, and inside its depth range, which is fixed. Its
-/// axes right and up are shortened so that the picture is filled both ways. Error::shadow if that cannot be had
-/// in 16.16.
+/// Sets an orthographic camera with parallel rays from the light, for a picture of side x side pixels (16 or more). The
+/// reach, which must not be empty, lies inside the picture with one pixel around it, and inside its depth range, which
+/// is fixed. The right and up axes are shortened so that the reach fills the picture in both directions. Returns
+/// Error::shadow if 16.16 is not enough.
 Status light_camera(Camera& camera, const LightReach& reach, std::uint32_t side);
 
 }  // namespace zstrip::detail

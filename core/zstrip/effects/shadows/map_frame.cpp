@@ -57,7 +57,7 @@ Status prepare_map(FrameState& light, const FrameState& frame, const Scene& cast
     return status;
   }
   if (const Status status = light_camera(state.camera, reach, side); !status) return status;
-  // As many rows of tiles as the picture's z-buffer has room for, beside a row of pixels.
+  // As many rows of tiles as fit into the picture's z-buffer, next to one row of pixels.
   const std::uint32_t room = frame.plan.depth_bytes / (side * kDepthBytes) - 1;
   const std::uint32_t rows = std::min(room / kTileSide * kTileSide, side);
   light.view = {static_cast<std::uint16_t>(side), static_cast<std::uint16_t>(side)};
@@ -99,7 +99,7 @@ StripTarget map_strip(FrameState& light, std::uint16_t strip) {
   StripTarget target = target_at(light, area);
   target.depth = light.depth + (area.empty() ? 0 : (area.top - cut.top) * cut.width() + area.left);
   target.depth_stride = cut.width();
-  target.colour = light.working_colour;  // all rows are one
+  target.colour = light.working_colour;  // all rows share one row of pixels
   return target;
 }
 
@@ -117,7 +117,7 @@ Status prepare_place(FrameState& frame, const Camera& camera, Effects called_for
   if (frame.fit.near == 0) state.empty = true;
   if (state.empty) return {};
   if (frame.mode == Mode::binned) {
-    // Behind everything else of the vertices.
+    // The colours lie after all other data of vertices.
     const SceneCounts counts = count(*frame.scene);
     const std::size_t others = std::size_t{counts.vertices} * bytes_per_vertex(called_for, counts);
     state.colours_in_shadow = reinterpret_cast<Colour*>(reinterpret_cast<std::byte*>(frame.vertices) + others);

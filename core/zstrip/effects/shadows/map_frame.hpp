@@ -1,4 +1,5 @@
-// The shadow map as a frame of its own: in the memory of the one that gets the shadow, before that is drawn.
+// Draws the shadow map as a separate frame, in the memory of the frame that gets the shadow, before that frame is
+// drawn.
 #pragma once
 
 #include "zstrip/effects/shadows/kept.hpp"
@@ -7,7 +8,7 @@
 
 namespace zstrip::detail::shadows {
 
-/// Whether the plan has the memory for a map, whose z-buffer is that of the strips.
+/// Checks that the plan has memory for a map, whose z-buffer uses that of the strips.
 Status check_memory(const FrameRequest& request);
 
 inline bool casts(const Scene& scene, const Instance& instance) {
@@ -15,13 +16,13 @@ inline bool casts(const Scene& scene, const Instance& instance) {
   return casts_shadow(scene.meshes[instance.mesh].shadow) && material.depth_write && !is_blended(scene, material);
 }
 
-/// The state, with the scene's lights in its order.
+/// Initialises and returns the state. The scene's lights are reordered.
 ShadowState& begin_state(FrameState& frame, const Scene& scene);
-/// Instances of `light`, a frame of its own in the memory of `frame`, and its strips.
+/// Prepares the instances and strips of `light`, a separate frame in the memory of `frame`.
 Status prepare_map(FrameState& light, const FrameState& frame, const Scene& casters, const LightReach& reach,
                    ShadowState& state);
 Status prepare_place(FrameState& frame, const Camera& camera, Effects called_for, std::uint32_t least);
-/// Its z-buffer, cleared.
+/// Returns a strip of the map with a cleared z-buffer.
 StripTarget map_strip(FrameState& light, std::uint16_t strip);
 Status keep_strip(const FrameState& light, std::uint16_t strip, ShadowState& state);
 

@@ -1,4 +1,4 @@
-// The colours of vertices in shadow, where bins keep vertices: a part of the arena of their own.
+// The vertex colours in shadow, which bins keep in a separate part of the arena.
 #pragma once
 
 #include "zstrip/effects/shadows/kept.hpp"
@@ -6,7 +6,7 @@
 
 namespace zstrip::detail::shadows {
 
-/// Calls shade() with the instance's light as it is in shadow and frame.colours at the part of those colours.
+/// Calls shade() without the shadow's light, while frame.colours is the memory of the colours in shadow.
 template <class Shade>
 void shade_retained(FrameState& frame, const Batch& batch, const Shade& shade) {
   if (!effect_block(frame).has(effect::shadows) || state_of(frame).empty) return;

@@ -1,4 +1,5 @@
-// What a frame keeps of its shadow: the map in a compressed store, tiles of it that are decoded, and the way there.
+// The data that a frame keeps for its shadow: the map in a compressed store, decoded tiles of it, and the mapping from
+// the picture to the map.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +11,11 @@
 
 namespace zstrip::detail {
 
-/// Tiles that were read last, by column and row of tiles modulo kSide.
+/// The tiles that were read last, by column and row of tiles modulo kSide.
 struct DecodedTiles {
   static constexpr std::uint32_t kSide = 4;
   struct Tile {
-    std::uint16_t column, row;  ///< of no tile: 0xFFFF
+    std::uint16_t column, row;  ///< 0xFFFF: empty
     std::uint16_t cells[kTileCells];
   };
   Tile tiles[kSide][kSide];
@@ -27,27 +28,27 @@ struct DecodedTiles {
 };
 
 struct ShadowState {
-  Scene scene;                          ///< the frame's, with these lights
-  DirectionalLight lights[kMaxLights];  ///< the scene's, that of the shadow last
+  Scene scene;                          ///< the frame's scene with these lights
+  DirectionalLight lights[kMaxLights];  ///< lights of the scene; the shadow's light is the last one
   std::span<std::byte> pool;
   DepthStore store;
-  Camera camera;  ///< the map's
+  Camera camera;  ///< camera of the map
   DepthFit fit;
-  bool empty;  ///< nothing casts
+  bool empty;  ///< there are no casters
   ShadowPlace place;
-  Colour* colours_in_shadow = nullptr;  ///< binned only: of the vertices that are kept
+  Colour* colours_in_shadow = nullptr;  ///< only in binned mode: colours of the kept vertices
   DecodedTiles decoded;
 
-  /// The map's code at a texel inside it. The store must be whole: else an error, once, in `status`.
+  /// Returns the map's code at a texel inside it. If the store is damaged, sets an error in `status`, once.
   std::uint32_t code_at(std::uint32_t column, std::uint32_t row, Status& status) {
     const std::uint32_t tx = column / kTileSide, ty = row / kTileSide;
     DecodedTiles::Tile& tile = decoded.tiles[ty % DecodedTiles::kSide][tx % DecodedTiles::kSide];
     if (tile.column != tx || tile.row != ty) decode(tile, tx, ty, status);
     return tile.cells[row % kTileSide * kTileSide + column % kTileSide];
   }
-  /// Whether what casts lies between a point and the light. Where it is far from the point the nearest texel decides;
-  /// where it is close, and may be the point's own surface, all four around it must: of a plane, or of whatever bulges
-  /// towards the light, one of them is not nearer than the point between them.
+  /// True if a caster lies between a point and the light. If the caster is far from the point, the nearest texel
+  /// decides. If it is close, and so may be the point's own surface, all four texels around the point must hide it: on
+  /// a plane, or on a surface that bulges towards the light, at least one of them is not nearer than the point.
   bool hides(const MapPoint& at, Status& status) {
     const std::int32_t column = at.column >> place.texel_bits, row = at.row >> place.texel_bits;
     const std::int32_t distance = distance_to(column, row, at, status);
@@ -59,7 +60,8 @@ struct ShadowState {
   }
 
  private:
-  /// From a point to what casts at a texel, towards the light, in units of MapPoint::code; 0 if nothing does.
+  /// Returns the distance from a point to the caster at a texel, towards the light, in units of MapPoint::code; 0 if
+  /// there is no such caster.
   std::int32_t distance_to(std::int32_t column, std::int32_t row, const MapPoint& at, Status& status) {
     const auto side = static_cast<std::int32_t>(store.grid().width);
     if (column < 0 || row < 0 || column >= side || row >= side) return 0;
@@ -72,8 +74,8 @@ struct ShadowState {
 };
 static_assert(sizeof(ShadowState) <= shadows::Effect::kStateBytes);
 
-/// Takes the light of the shadow, which is the last one, from what was compiled of an instance that receives it (-1),
-/// or gives it back (1).
+/// Removes the shadow's light, the last one, from a compiled instance that receives shadows (by = -1), or restores it
+/// (1).
 inline void leave_shadowing_light(CompiledInstance& instance, const Mesh& mesh, int by) {
   if ((instance.lit || has_lit_fragments(instance.shade)) && receives_shadow(mesh.shadow)) {
     instance.light_count = static_cast<std::uint8_t>(instance.light_count + by);

@@ -1,4 +1,4 @@
-// Composes the picture's camera and the light's into the forms of a ShadowPlace; docs/numerics.md has the bits.
+// Composes the cameras of picture and light into the forms of a ShadowPlace; docs/numerics.md has the bits.
 #include "zstrip/effects/shadows/shadow_place.hpp"
 
 #include "zstrip/base/scaled.hpp"
@@ -15,22 +15,22 @@ Scaled3 dual(const Scaled3& axis) {
   return Scaled(1, 0) / square * axis;
 }
 
-/// One coordinate of the map in the world: at + along * (position - light's eye).
+/// One coordinate of the map for a position in the world: at + along * (position - light's eye).
 struct MapAxis {
   Scaled3 along;
   Scaled at;
 };
 
-/// Gives that coordinate over the picture, from its pixels and its distance w: offset + w (x, y, 1) for perspective,
-/// else offset + x + y + w.
+/// The same coordinate for a pixel of the picture and its distance w: offset + w (x, y, 1) for perspective, else offset
+/// + x + y + w.
 struct PixelAxis {
   Scaled offset, x, y, w;
 };
 
 struct PictureAxes {
-  Scaled3 eye, right, down, away;  ///< from the light's eye; of a pixel, at distance 1
-  Scaled centre_x, centre_y;       ///< of raster pixel (0, 0), in pixels
-  Scaled reach_x, reach_y;         ///< pixels that are farther from the middle are none of the picture
+  Scaled3 eye, right, down, away;  ///< from the light's eye; per pixel, at distance 1
+  Scaled centre_x, centre_y;       ///< position of raster pixel (0, 0), in pixels
+  Scaled reach_x, reach_y;         ///< the picture's largest distance from the middle, in pixels
 
   PictureAxes(const Camera& camera, const Camera& light, const View& view) {
     const auto apart = [](Fixed a, Fixed b) { return Scaled(std::int64_t{a} - b, -kFixedBits); };
@@ -50,7 +50,7 @@ struct PictureAxes {
   }
 };
 
-/// A form over the picture: at raster pixel (0, 0), steps, and a bound for all pixels.
+/// A form over the picture: its value at raster pixel (0, 0), its steps, and its bound over all pixels.
 struct PixelForm {
   Scaled start, x, y, bound;
 
@@ -68,7 +68,7 @@ struct PixelForm {
   }
 };
 
-/// Prepares coordinates in two steps: bits() before it is known how many of them another coordinate leaves.
+/// Prepares a coordinate in two steps: bits() is called before another coordinate limits the number of bits.
 class Perspective {
  public:
   Perspective(const PixelAxis& axis, const Scaled& per_inverse, const Scaled& least_q, const PictureAxes& picture)
@@ -80,7 +80,7 @@ class Perspective {
     const std::int32_t form_bits = 29 - form_.bound.log2_bound();
     form_.store(form, form_bits);
     form.offset = static_cast<std::int32_t>(offset_.fixed(bits));
-    // 2^62 / the upper word of q: 94 less the leading zeros; 32 are the product's lower word.
+    // 2^62 divided by the upper word of q: 94 minus the leading zeros; 32 bits are the product's lower word.
     form.shift = 62 + form_bits - bits;
   }
 
@@ -101,7 +101,7 @@ class Orthographic {
     form_.store(form, bits);
     form.per_depth = static_cast<std::int32_t>(per_depth_.fixed(bits + 33));
   }
-  /// In units of the coordinate.
+  /// Returns the result in units of the coordinate.
   std::int32_t times(std::int32_t log2_depth, std::int32_t bits) const {
     return static_cast<std::int32_t>(per_depth_.magnitude().shifted(log2_depth).fixed(bits)) + 1;
   }
@@ -112,11 +112,11 @@ class Orthographic {
   std::int32_t bits_;
 };
 
-/// Where the depth of what casts is so small beside the picture that whole codes do not fit, some of their bits are
-/// left.
+/// If the casters' depth is so small compared to the picture that whole codes do not fit, fraction bits are negative
+/// down to this limit.
 constexpr std::int32_t kMinCodeBits = -12;
 
-/// All three in as many bits as fit, at most 16 and 12.
+/// Stores all three coordinates with as many bits as fit, at most 16 and 12.
 template <class Coordinate>
 Status store(ShadowPlace& place, const Coordinate& column, const Coordinate& row, const Coordinate& code,
              const Scaled& contact) {
@@ -141,7 +141,7 @@ Status shadow_place(ShadowPlace& place, const LightPicture& light, const Camera&
   const Scaled middle(light.side, -1);
   const MapAxis column{texels_per_unit * axis_of(light.camera.right), middle};
   const MapAxis row{-texels_per_unit * axis_of(light.camera.up), middle};
-  // Codes grow towards the light; from far: the distance is -back * (position - eye).
+  // Codes grow towards the light, beginning at far: the distance is -back * (position - eye).
   const Scaled codes_per_unit = Scaled(kDepthSpan, -16) / Scaled(light.fit.far - light.fit.near, -kDistanceBits);
   const MapAxis code{codes_per_unit * axis_of(light.camera.back),
                      Scaled(kDepthOfFar, -16) + codes_per_unit * Scaled(light.fit.far, -kDistanceBits)};
@@ -161,7 +161,7 @@ Status shadow_place(ShadowPlace& place, const LightPicture& light, const Camera&
     return status;
   }
   const Scaled per_inverse = Scaled(fit.quotient_at_near, 0) * Scaled(fit.near, -kDistanceBits);
-  // The small float has codes for what is farther than anything.
+  // The small float has codes for every distance, however far.
   const Scaled at_far = per_inverse / Scaled(fit.far, -kDistanceBits), below = at_far - at_far.shifted(-12);
   const Scaled of_code(std::int64_t{least} + fit.offset, 0);
   const Scaled least_q = of_code < below ? below : of_code;

@@ -1,5 +1,5 @@
-// From a pixel of the picture and the depth in its cell to the place in the shadow map, without the triangle that drew
-// it: what a pixel shows lies on its ray, at the distance that the depth gives.
+// Converts a pixel of the picture and the depth in its cell to a place in the shadow map, without the triangle that
+// drew it: the surface lies on the pixel's ray, at the distance that the depth gives.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,14 @@
 
 namespace zstrip::detail {
 
-/// Half a code, as a power of two in 1/2^32 of all codes; of the small float the least.
+/// log2 of half a code, in 1/2^32 of all codes; the smallest one of the small float.
 template <DepthFormat format>
 inline constexpr int kLog2HalfCode = format == DepthFormat::z24       ? 7
                                      : format == DepthFormat::float16 ? 11
                                                                       : 15;
 
-/// The middle of the depths whose code a cell holds, in 1/2^32 of all codes (near / w of the small float).
+/// Returns the middle of the depths for which a cell holds this code, in 1/2^32 of all codes (near / w for the small
+/// float).
 template <DepthFormat format>
 constexpr std::uint32_t depth_of_code(std::uint32_t code) {
   if constexpr (format == DepthFormat::float16) {
@@ -33,13 +34,14 @@ constexpr std::uint32_t depth_of_code(std::uint32_t code) {
   }
 }
 
-/// One coordinate of the map over the picture. Perspective: offset + form / q, where q is the depth plus that of an
-/// infinite distance; orthographic: form + per_depth depth.
+/// One coordinate of the map over the picture. Perspective: offset + form / q, where q is the depth minus the depth of
+/// an infinite distance; orthographic: form + per_depth depth.
 struct MapForm {
-  std::int32_t start, step_x, step_y;  ///< the form at raster pixel (0, 0), and a pixel further
+  std::int32_t start, step_x, step_y;  ///< value at raster pixel (0, 0), and steps a pixel
   std::int32_t offset;                 ///< perspective only
-  std::int32_t per_depth;              ///< orthographic only; times half of the depth, the upper word
-  std::int32_t shift;                  ///< perspective only: right shift for a q without leading zeros, of 64 bits
+  std::int32_t per_depth;              ///< orthographic only; the upper word of its product with half of the depth is
+                                       ///< used
+  std::int32_t shift;                  ///< perspective only: right shift for a q of 64 bits without leading zeros
 
   std::int32_t at(std::int32_t x, std::int32_t y) const {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(start) +
@@ -48,14 +50,15 @@ struct MapForm {
   }
 };
 
-/// Column and row in texels, floor(value / 2^texel_bits); depth code of the map with code_bits, which may be negative,
-/// a half code added as at vertices. Any numbers, also outside the map.
+/// A point of the map, which may lie outside it: column and row in texels, floor(value / 2^texel_bits); depth code with
+/// code_bits, which may be negative, with half a code added as at vertices.
 struct MapPoint {
   std::int32_t column, row, code;
-  std::int32_t doubt;  ///< how much half a code of the picture's depth is, in units of `code`
+  std::int32_t doubt;  ///< half a code of the picture's depth, in units of `code`
 };
 
-/// What casts so much nearer to the light than a point is never the point's own surface, unless light only grazes it.
+/// A caster that is nearer to the light than a point by more than this depth is never the point's own surface, unless
+/// the light grazes it.
 inline constexpr std::int32_t kContactTexels = 32;
 
 struct ShadowPlace {
@@ -65,7 +68,7 @@ struct ShadowPlace {
   std::int32_t texel_bits, code_bits;
   std::int32_t contact;  ///< depth of kContactTexels texels, in units of MapPoint::code
 
-  /// Of the depth of a cell with a fragment, at raster pixel (x, y).
+  /// Returns the map's point for the depth of a covered cell at raster pixel (x, y).
   template <bool orthographic, DepthFormat format>
   MapPoint at(std::int32_t x, std::int32_t y, std::uint32_t depth) const {
     if constexpr (orthographic) {
@@ -81,9 +84,9 @@ struct ShadowPlace {
         return multiply_high(form.at(x, y), inverse) >> std::clamp<std::int32_t>(form.shift - zeros, 0, 31);
       };
       const std::int32_t deeper = relative(code);
-      // Half a code's share of q, 0.32.
+      // The share of half a code in q, 0.32.
       int share_shift = 62 - kLog2HalfCode<format> - zeros;
-      // The small float's codes are wider where its octave is, and never less than 2^-15 of q.
+      // Codes of the small float are wider in higher octaves, and never less than 2^-15 of q.
       if constexpr (format == DepthFormat::float16) share_shift = std::min<std::int32_t>(share_shift, 13);
       const std::uint32_t share = share_shift < 0    ? 0x7FFFFFFFU
                                   : share_shift < 32 ? static_cast<std::uint32_t>(inverse) >> share_shift
@@ -102,9 +105,9 @@ struct LightPicture {
   std::uint32_t side;
 };
 
-/// The picture, `fit` and `origin` as the frame's when triangles are drawn; `least`: the smallest depth that
-/// depth_of_code gives. Error::shadow where a texel is so small beside what the picture shows that 32 bits cannot tell
-/// them apart.
+/// Computes the place. `fit` and `origin` are the frame's while triangles are drawn; `least` is the smallest depth that
+/// depth_of_code returns. Returns Error::shadow if a texel is so small compared to the picture that 32 bits cannot
+/// resolve it.
 Status shadow_place(ShadowPlace& place, const LightPicture& light, const Camera& camera, const View& view,
                     const DepthFit& fit, const RasterOrigin& origin, std::uint32_t least);
 

@@ -1,6 +1,6 @@
-// Shadows: before a frame the map, drawn from the light by the stages that draw the picture; after a strip what its
-// shadowed pixels look like without the light. A strip is drawn once with all lights, and where the map has some
-// of its pixels in shadow, once more without that one: all others then have a depth nearer than any.
+// Shadows. Before a frame, the stages that draw the picture draw the map from the light. After a strip, its shadowed
+// pixels are drawn again without the light: all cells without shadow then hold a depth that is nearer than any
+// fragment. Strips without shadowed pixels are drawn once.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Stage : NoStage {
     return frame.scene->shadow == nullptr ? Status{} : Status{.error = Error::shadow};
   }
 
-  /// Draws the map, of turned billboards and without hulls, and puts the light last.
+  /// Draws the map, with rotated billboards and without hulls, and puts the light last.
   template <Effects effects>
   static Status change_scene(FrameState& frame, Scene& drawn, const FrameRequest& request, const Camera&) {
     if (!request.called_for.has(effect::shadows)) return {};
@@ -65,7 +65,7 @@ struct Stage : NoStage {
     return prepare_place(frame, request.camera, request.called_for, depth_of_code<depth_format(effects)>(1));
   }
 
-  /// `target` has been drawn with all lights.
+  /// `target` was drawn with all lights.
   template <Effects effects>
   static Status finish(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
     if (target.area.empty() || !effect_block(frame).has(effect::shadows)) return {};
@@ -75,7 +75,7 @@ struct Stage : NoStage {
     const Rect shadowed = find<effects>(target, state, status);
     if (!status || shadowed.empty()) return status;
     using Cell = DepthCell<depth_format(effects)>;
-    // Bounds of depth begin again, of the cells that they cover.
+    // Bounds of depth begin again from the changed cells.
     StripTarget part = target;
     if constexpr (methods::keeps_bounds(effects)) {
       auto& with_bounds = static_cast<MethodFrameState&>(frame);
@@ -86,7 +86,7 @@ struct Stage : NoStage {
     const Statistics counted = frame.statistics;
     Colour* const lit = frame.colours;
     if (frame.mode == Mode::binned) frame.colours = state.colours_in_shadow;
-    // Triangles that runs hand on to the next strip are drawn in all light.
+    // No memory to carry triangles to the next strip: those triangles need all lights.
     const Bins bins = frame.bins;
     frame.bins = bins.without_spare();
     leave_light<effects>(frame, -1);
@@ -99,7 +99,7 @@ struct Stage : NoStage {
   }
 
  private:
-  /// The pipeline of a map: both faces, farther by the bias.
+  /// The effects of the map's pipeline: both faces are drawn, and the bias moves them away.
   template <Effects effects>
   static constexpr Effects kCasting = effect::orthographic | effect::depth_state |
                                       (effects & (effect::quadrics | effect::skins));
@@ -128,7 +128,7 @@ struct Stage : NoStage {
   template <Effects casting>
   static void draw_casters(FrameState& light, const StripTargetWithDepth& target, std::uint16_t strip) {
     if constexpr (casting.has(effect::quadrics)) {
-      // Closed shapes draw the far side: it shadows all that the near one does, and never itself.
+      // Closed shapes draw their far side: it shadows everything that the near side does, and never itself.
       StripTargetWithDepth unbiased{target, {}};
       const CompiledQuadric* const quadrics = quadrics::compiled(light, *light.scene);
       for (std::size_t i = 0; i < light.scene->quadrics.size(); ++i) {
@@ -149,15 +149,15 @@ struct Stage : NoStage {
         });
   }
 
-  /// Sets cells of shadowed pixels to "nothing drawn" and all others to a code nearer than any; the pixels that hold
-  /// all shadowed ones.
+  /// Sets the cells of shadowed pixels to 0 and all other cells to the nearest code. Returns a rectangle that contains
+  /// all shadowed pixels.
   template <Effects effects>
   static Rect find(const StripTarget& target, ShadowState& state, Status& status) {
     constexpr DepthFormat kFormat = depth_format(effects);
     using Cell = DepthCell<kFormat>;
     const Rect& area = target.area;
     Rect shadowed{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-    // Blocks, which lie in few tiles of the map.
+    // In blocks, because these touch few tiles of the map.
     constexpr std::int32_t kBlock = 8;
     for (std::int32_t left = area.left; left < area.right; left += kBlock) {
       const std::int32_t right = std::min(left + kBlock, area.right);
@@ -179,7 +179,7 @@ struct Stage : NoStage {
     return shadowed;
   }
 
-  /// -1: everything that receives is without the light; 1: as before.
+  /// With `by` -1, removes the light from all receivers; with 1, restores it.
   template <Effects effects>
   static void leave_light(FrameState& frame, int by) {
     const Scene& scene = *frame.scene;

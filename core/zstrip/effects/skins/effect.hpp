@@ -1,4 +1,4 @@
-// Skins that are moved while they are drawn.
+// Skins whose vertices are moved while they are drawn.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

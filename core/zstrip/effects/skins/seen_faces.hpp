@@ -1,5 +1,5 @@
-// The front faces of a skin's meshlet that a strip shows. Their vertices alone are lit: to turn a normal with its
-// joints takes two roots and a division, and of a meshlet's vertices a strip shows less than half on the mean.
+// Lights only the vertices of the front faces of a skin's meshlet that a strip shows: moving a normal with its joints
+// takes two roots and a division, and on average a strip shows less than half of a meshlet's vertices.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@ constexpr bool lights_seen_vertices(Effects effects) {
          !effects.any(effect::outlines | effect::pixel_shading | effect::environment);
 }
 
-/// Meshlets with more vertices, or more triangles than lists can name, are lit whole; so are those that are clipped,
-/// which takes the stack for it.
+/// Meshlets with more vertices, or with more triangles than lists can number, are lit as a whole; so are meshlets that
+/// need clipping, because it takes the stack that the lists would need.
 inline constexpr std::uint32_t kMaxSeenVertices = 256;
 
 template <Effects effects>
@@ -32,12 +32,12 @@ bool lights_seen_vertices(const Batch& batch, const MeshletRange& range, bool al
          range.vertex_count <= kMaxSeenVertices && range.triangles.size() <= kMaxListedTriangles;
 }
 
-/// The vertices of a meshlet that have been lit, and those that are to be.
+/// The vertices of a meshlet that are lit, and those that still have to be.
 class SeenVertices {
  public:
   void want(std::uint32_t place) { wanted_[place / 32] |= std::uint32_t{1} << place % 32; }
 
-  /// Calls light(place, count) for the runs of those that are wanted and not lit.
+  /// Calls light(place, count) for the runs of wanted vertices that are not yet lit.
   template <class Light>
   void light_wanted(const Light& light) {
     for (std::uint32_t word = 0; word < kMaxSeenVertices / 32; ++word) {
@@ -60,9 +60,9 @@ class SeenVertices {
   std::array<std::uint32_t, kMaxSeenVertices / 32> wanted_{}, lit_{};
 };
 
-/// Calls light(place, count) for the vertices of front faces that may have pixels in the rows of `area`, once for each,
-/// counted from the meshlet's first one; and draw(indices) for these faces, in their order, at most as many as a chunk
-/// of a bin has. Vertices are lit before their faces are drawn. No vertex needs the clipping path.
+/// Calls light(place, count) for the vertices of front faces that may have pixels in the rows of `area`, once for each
+/// vertex, counted from the meshlet's first one; and draw(indices) for these faces, in order, at most as many as a
+/// chunk of a bin has. Vertices are lit before their faces are drawn. No vertex may need the clipping path.
 template <Effects effects, class Light, class Draw>
 void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, const Rect& area, const Light& light,
                     const Draw& draw) {
@@ -75,7 +75,7 @@ void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, co
     count = 0;
   };
   Facing<effects>::for_each(batch, range.triangles, true, [&](std::uint32_t index, const auto& covered) {
-    // A triangle without a pixel between its columns is rare here, and left out later.
+    // A triangle without a pixel between its columns is rare here; a later test drops it.
     if (std::max(covered.top(), area.top) >= std::min(covered.bottom(), area.bottom)) return true;
     const Triangle& triangle = range.triangles[index];
     vertices.want(triangle.a - range.first_vertex);

@@ -1,12 +1,12 @@
-// Renderers of skins that are moved while they are drawn: what a frame must have.
+// Checks frames with skins that are moved while they are drawn.
 #pragma once
 
 #include "zstrip/effects/stage.hpp"
 
 namespace zstrip::detail::skins {
 
-/// Error::skin (`needed` = index of the mesh) where a Skinning has not the sizes of its mesh, and for lines, edges and
-/// CSG, which read vertices where they are.
+/// Returns Error::skin (`needed` = index of the mesh) if a Skinning does not have the sizes of its mesh, or if lines,
+/// edges or CSG, which read vertices from the mesh, use a skin.
 Status check(const Scene& scene);
 
 struct Stage : NoStage {

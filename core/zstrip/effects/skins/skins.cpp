@@ -1,4 +1,4 @@
-// Moves meshlets of skins as they are drawn; only renderers with effect::skins link it.
+// Moves meshlets of skins while they are drawn; only renderers with effect::skins link it.
 #include <cstdint>
 
 #include "zstrip/effects/skins/move_meshlet.hpp"
@@ -21,15 +21,15 @@ bool has_sizes_of(const Skinning& skinning, const Mesh& mesh) {
   return skinning.positions.size() >= largest && (mesh.normals.empty() || skinning.normals.size() >= largest);
 }
 
-/// Vertices that indices of the whole mesh name: the array begins where the first one of all would be.
+/// Returns an array that can be indexed like the whole mesh: it begins at the address that vertex 0 would have.
 template <class Vertex>
 std::span<const Vertex> as_if_whole(std::span<Vertex> part, std::uint32_t first_vertex, std::size_t whole) {
   const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(part.data()) - first_vertex * sizeof(Vertex);
-  // Not by a pointer before the array, which would be undefined. NOLINTNEXTLINE(performance-no-int-to-ptr)
+  // Uses an integer, because a pointer before the array would be undefined. NOLINTNEXTLINE(performance-no-int-to-ptr)
   return {reinterpret_cast<const Vertex*>(address), whole};
 }
 
-/// Where `mesh` is what begin_meshlet has returned for a skin.
+/// Returns the skin if begin_meshlet has returned `mesh` for one; else null.
 const Skinning* moving(const Mesh& mesh) {
   return mesh.skinning != nullptr && &mesh == &mesh.skinning->moved ? mesh.skinning : nullptr;
 }

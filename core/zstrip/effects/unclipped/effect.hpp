@@ -1,4 +1,4 @@
-// A promise: no triangle reaches the near plane or leaves the narrow range, so that nothing is clipped.
+// A promise that no triangle reaches the near plane or leaves the narrow range, so that clipping is left out.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"

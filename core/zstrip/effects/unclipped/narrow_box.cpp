@@ -1,13 +1,14 @@
-// The corners of an instance's box against the limits of project_narrow; only renderers with effect::unclipped link it.
+// Compares the corners of an instance's box with the limits of project_narrow; only renderers with effect::unclipped
+// link it.
 #include "zstrip/effects/unclipped/narrow_box.hpp"
 
 namespace zstrip::detail::unclipped {
 namespace {
 
-/// A linear form rounds each of its three products down: below 3 for the corner, and for a vertex.
+/// A linear form rounds each of its three products down: an error below 3 for the corner, and below 3 for a vertex.
 constexpr std::int64_t kRounding = 6;
-/// 8 pixels less than project_narrow takes: the biases of the picture's centre, the rounding to 1/16 pixels, and the
-/// error of a reciprocal from the table, 2^-9 of kNarrowLimit.
+/// 8 pixels less than project_narrow's limit, for the biases of the picture's centre, the rounding to 1/16 pixels, and
+/// the error of a reciprocal from the table, 2^-9 of kNarrowLimit.
 constexpr std::int64_t kLimit = kNarrowLimit - 8 * 16;
 
 }  // namespace

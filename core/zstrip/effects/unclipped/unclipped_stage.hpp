@@ -1,4 +1,4 @@
-// Renderers without clipping: a frame is refused where the box of an instance might call for it.
+// Renderers without clipping: refuses a frame if the box of an instance might need clipping.
 #pragma once
 
 #include "zstrip/effects/stage.hpp"
