@@ -3,10 +3,10 @@
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-for name in YourModel Player; do
+for name in YourModel Player Joystick; do
   sketch=$1/firmware/examples/$name
   options=$(sed -nE 's|^//   host-sim/run bake MODEL -o scene.hpp ||p' "$sketch/$name.ino")
-  model=$(sed -nE 's|.*(host-sim/scenes/models/[a-z]*\.obj).*|\1|p' "$sketch/$name.ino")
+  model=$(sed -nE 's#.*((host-sim/scenes/models|firmware/examples/[A-Za-z]*)/[a-z]*\.(obj|toml)).*#\1#p' "$sketch/$name.ino")
   # shellcheck disable=SC2086  # options are words
   "$2" bake "$1/$model" -o "$scratch/scene.hpp" $options --quiet
   cmp "$scratch/scene.hpp" "$sketch/scene.hpp"

@@ -95,6 +95,8 @@ void pinMode(pin_size_t pin, PinMode mode) {
   if (mode == OUTPUT) board().set_output(pin);
 }
 void digitalWrite(pin_size_t pin, PinStatus level) { board().set_pin(pin, level == HIGH); }
+// A stick that is held to the right and halfway up.
+int analogRead(pin_size_t pin) { return pin == A0 ? 1023 : 200; }
 void delay(unsigned long milliseconds) { board().pass_time(std::chrono::milliseconds(milliseconds)); }
 void delayMicroseconds(unsigned int microseconds) {
   // In truth, too: a sketch may wait for the second core's thread.

@@ -57,11 +57,13 @@ typedef bool boolean;
 typedef uint8_t byte;
 typedef uint16_t word;
 typedef uint8_t pin_size_t;
+static const uint8_t A0 = 14, A1 = 15;
 // NOLINTEND
 
 void pinMode(pin_size_t pin, PinMode mode);
 void digitalWrite(pin_size_t pin, PinStatus level);
-void loop1();  ///< of sketches for two cores
+int analogRead(pin_size_t pin);  ///< 0..1023
+void loop1();                    ///< of sketches for two cores
 void delay(unsigned long milliseconds);
 void delayMicroseconds(unsigned int microseconds);
 unsigned long millis();

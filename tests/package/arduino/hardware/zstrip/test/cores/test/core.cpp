@@ -7,6 +7,7 @@ static volatile uint32_t& register_at(uint32_t offset) {
 
 void pinMode(pin_size_t pin, PinMode mode) { register_at(pin) = mode; }
 void digitalWrite(pin_size_t pin, PinStatus level) { register_at(0x100 + 4U * pin) = level; }
+int analogRead(pin_size_t pin) { return static_cast<int>(register_at(0x180 + 4U * pin) & 1023U); }
 unsigned long millis() { return register_at(0x200); }
 void delay(unsigned long milliseconds) {
   for (const unsigned long start = millis(); millis() - start < milliseconds;) {
