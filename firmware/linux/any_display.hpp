@@ -1,4 +1,4 @@
-// A display that is known only at run time, with everything that it stands on.
+// A display that is known only at run time, with all objects that it needs.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace zstrip::panel {
 
-/// Functions as in hal::Display. When the object ends the display is left defined: a screen as it was before, a panel
-/// black and asleep, its backlight off.
+/// Functions as in hal::Display. When the object ends, a screen gets its former state, and a panel is black and asleep
+/// with its backlight off.
 class AnyDisplay {
  public:
   AnyDisplay() = default;
@@ -32,7 +32,7 @@ class AnyDisplay {
 
 static_assert(hal::Display<AnyDisplay>);
 
-/// Passes everything on to what `derived().display()` returns.
+/// Forwards all calls to `derived().display()`.
 template <class Derived>
 class DisplayAdapter : public AnyDisplay {
  public:

@@ -7,7 +7,7 @@
 namespace zstrip::panel {
 namespace {
 
-/// The whole text as a decimal number, perhaps with K, M or G.
+/// Parses the whole text as a decimal number, with an optional K, M or G.
 std::optional<std::uint64_t> number(std::string_view text) {
   std::uint64_t value = 0;
   std::uint64_t factor = 1;
@@ -25,7 +25,7 @@ std::optional<std::uint64_t> number(std::string_view text) {
 
 hal::Outcome<DisplayAddress> DisplayAddress::parse(const std::string& text) {
   DisplayAddress address;
-  // Without a device a comma does for the colon: drm,size=640x480.
+  // Without a device a comma may replace the colon: drm,size=640x480.
   const std::size_t kind_end = text.find_first_of(":,");
   address.kind_ = text.substr(0, kind_end);
   std::string_view rest;

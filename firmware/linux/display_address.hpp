@@ -23,20 +23,20 @@ class DisplayAddress {
   static hal::Outcome<DisplayAddress> parse(const std::string& text);
 
   const std::string& kind() const { return kind_; }
-  /// A value without a key: the device. Empty: none.
+  /// Returns the value without a key, the device. Empty: none.
   const std::string& device() const { return device_; }
 
-  /// Each takes a key's value; what was not taken is not known: see untaken().
+  /// These take a key's value. Keys that are not taken are unknown: see untaken().
   std::optional<std::string> take(const std::string& key);
-  /// The name of something: not empty, and not a key without a value.
+  /// The value must be a name: not empty, and not a key without a value.
   hal::Outcome<std::optional<std::string>> take_name(const std::string& key);
   hal::Outcome<std::optional<hal::ScreenSize>> take_size(const std::string& key);
-  /// From `least` to `most`; K, M and G multiply by thousands.
+  /// The value must be from `least` to `most`; K, M and G multiply by powers of 1000.
   hal::Outcome<std::optional<std::uint32_t>> take_number(const std::string& key, std::uint32_t least,
                                                          std::uint32_t most);
-  /// A key without a value, or with the values "yes" and "no".
+  /// The key must have no value, or the value "yes" or "no".
   hal::Outcome<bool> take_flag(const std::string& key, bool unless_given = false);
-  /// A fault that names an unknown key, if there is one.
+  /// Returns a fault that names an unknown key, if there is one.
   std::optional<hal::Fault> untaken() const;
 
   hal::Fault fault(const std::string& key, const std::string& what) const;
@@ -44,7 +44,7 @@ class DisplayAddress {
  private:
   std::string kind_;
   std::string device_;
-  std::map<std::string, std::optional<std::string>, std::less<>> values_;  ///< none: a key without a value
+  std::map<std::string, std::optional<std::string>, std::less<>> values_;  ///< no value: a key without one
 };
 
 }  // namespace zstrip::panel

@@ -12,7 +12,7 @@ enum class ExitStatus : int {
   device = 3,    ///< a device that is missing, busy or not permitted
   input = 4,     ///< the scene
   budget = 5,    ///< too little memory
-  output = 6,    ///< the display failed while it was shown pictures, or standard output did
+  output = 6,    ///< the display failed while pictures were shown, or standard output failed
 };
 
 /// `message` is one line: the thing, what is wrong with it, what to do.

@@ -16,7 +16,7 @@
 namespace zstrip::panel {
 namespace {
 
-/// Files of a folder whose names begin so.
+/// Returns the files of a folder whose names begin with `prefix`.
 std::vector<std::string> devices(const char* folder, std::string_view prefix) {
   std::vector<std::string> paths;
   std::error_code error;

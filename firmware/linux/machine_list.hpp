@@ -5,8 +5,8 @@
 
 namespace zstrip::panel {
 
-/// Lines of text: the text console, framebuffers, graphics cards with their connectors, spidev, I2C buses, GPIO chips
-/// with their lines and the users of those; for what cannot be read: why.
+/// Returns lines of text: the text console, framebuffers, graphics cards with their connectors, spidev, I2C buses, GPIO
+/// chips with their lines and the users of these. If something cannot be read, a line says why.
 std::string machine_list();
 
 }  // namespace zstrip::panel

@@ -94,10 +94,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return fail({ExitStatus::usage, error.what()});
   }
-  if (std::isnan(arguments.play.frames_per_second))  // a range does not exclude it
+  if (std::isnan(arguments.play.frames_per_second))  // a test of the range does not reject NaN
     return fail({ExitStatus::usage, "--fps must be a number from 0.01 to 1000"});
   try {
-    // Before anything is opened, so that a signal finds everything in order to be closed.
+    // Before any device is opened, so that a signal finds all objects able to close.
     zstrip::panel::StopSignals stop;
     if (arguments.list) return say(zstrip::panel::machine_list());
     if (arguments.scene.empty() || arguments.display.empty())

@@ -1,4 +1,4 @@
-// In place of open_window.cpp where SDL is missing.
+// Replaces open_window.cpp if SDL is missing.
 #include "open_window.hpp"
 
 namespace zstrip::panel {

@@ -21,7 +21,7 @@ using hal::Outcome;
 Failure usage(const hal::Fault& fault) { return {ExitStatus::usage, fault.message}; }
 Failure device(const hal::Fault& fault) { return {ExitStatus::device, fault.message}; }
 
-/// A screen of the machine, with its text console kept away.
+/// A screen of the machine, whose text console does not draw meanwhile.
 template <class Shown>
 class Screen final : public DisplayAdapter<Screen<Shown>> {
  public:
@@ -29,12 +29,12 @@ class Screen final : public DisplayAdapter<Screen<Shown>> {
   Shown& display() { return shown_; }
 
  private:
-  // In this order: the console comes back when the screen is as it was before.
+  // In this order: the console is restored after the screen.
   hal::GraphicsConsole console_;
   Shown shown_;
 };
 
-/// Without permission for the console pictures can be shown all the same, but the console may write on them.
+/// Takes the console. Without permission pictures can be shown, but the console may draw over them.
 hal::GraphicsConsole take_console() {
   Outcome<hal::GraphicsConsole> console = hal::GraphicsConsole::enter();
   if (console) return std::move(*console);
@@ -42,7 +42,7 @@ hal::GraphicsConsole take_console() {
   return hal::GraphicsConsole();
 }
 
-/// The console goes first: it remembers the mode that it finds, and sets it when it comes back.
+/// Takes the console before the screen: it stores the mode that it finds, and restores it.
 template <class Open>
 std::variant<DisplayPointer, Failure> open_screen(Open open) {
   hal::GraphicsConsole console = take_console();
@@ -92,7 +92,7 @@ std::variant<DisplayPointer, Failure> open_card(DisplayAddress& address) {
 }  // namespace
 
 std::variant<DisplayPointer, Failure> open_display(const std::string& text, const hal::ScreenSize& picture) {
-  // A window needs no more words: the colon may stand alone.
+  // "sdl:" alone is a window with default settings.
   Outcome<DisplayAddress> address = DisplayAddress::parse(text == "sdl:" ? "sdl" : text);
   if (!address) return usage(address.fault());
   if (address->kind() == "fbdev") return open_framebuffer(*address);

@@ -13,7 +13,7 @@ namespace zstrip::panel {
 
 using DisplayPointer = std::unique_ptr<AnyDisplay>;
 
-/// A display that was started and shows black. Failures: usage, device, output (a panel that cannot be started).
+/// Returns a display that was started and is black. Failures: usage, device, output (a panel that cannot be started).
 /// `picture`: the size of a window, unless the address has one.
 std::variant<DisplayPointer, Failure> open_display(const std::string& address, const hal::ScreenSize& picture);
 

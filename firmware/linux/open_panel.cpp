@@ -1,4 +1,4 @@
-// Opens the panels with a controller of their own: wiring, reset, start sequence, backlight.
+// Opens panels with their own controller: wiring, reset, start sequence, backlight.
 #include "open_panel.hpp"
 
 #include <charconv>
@@ -26,7 +26,7 @@ namespace {
 using hal::Outcome;
 using Opened = std::variant<DisplayPointer, Failure>;
 
-/// A panel with everything that it stands on.
+/// A panel with all objects that it needs.
 template <class Driver, class Bus>
 class Panel final : public DisplayAdapter<Panel<Driver, Bus>> {
  public:
@@ -37,7 +37,7 @@ class Panel final : public DisplayAdapter<Panel<Driver, Bus>> {
         backlight_(std::move(backlight)),
         driver_(make(bus_, clock_, config)) {}
   ~Panel() override {
-    // Dark first. Errors of a destructor cannot be reported.
+    // Switches the backlight off first. Errors of a destructor cannot be reported.
     static_cast<void>(backlight_.set(false));
     if (!is_stranger_) static_cast<void>(driver_.sleep());
   }
@@ -65,10 +65,10 @@ class Panel final : public DisplayAdapter<Panel<Driver, Bus>> {
   hal::GpioPin reset_;
   hal::GpioPin backlight_;
   Driver driver_;
-  bool is_stranger_ = false;  ///< another controller, to which commands of this one mean something else
+  bool is_stranger_ = false;  ///< another controller, for which these commands have other meanings
 };
 
-/// Three bytes of an id.
+/// Formats the three bytes of an id.
 std::string in_hex(std::uint32_t id) {
   char text[12];
   std::snprintf(text, sizeof text, "%02x %02x %02x", static_cast<unsigned>(id >> 16 & 0xFF),
@@ -76,7 +76,7 @@ std::string in_hex(std::uint32_t id) {
   return text;
 }
 
-/// After Error::wrong_id: which controller answers, and what to do.
+/// Says after Error::wrong_id which controller answers, and what to do.
 template <class Driver>
 std::string what_answers(Driver& driver, const hal::DcsConfig& config) {
   std::uint32_t found = 0;
@@ -90,7 +90,7 @@ std::string what_answers(Driver& driver, const hal::DcsConfig& config) {
          "; name its controller, or give its id as id=0x... if the module's maker has set one";
 }
 
-// The drivers of panels, by bus.
+// The drivers of panels, with the bus as parameter.
 template <class Bus>
 using St7789 = hal::St7789<Bus, hal::SleepingClock>;
 template <class Bus>
@@ -127,7 +127,7 @@ Opened start(const PanelWiring& wiring, std::uint32_t usual_hertz, const Config&
       open->bus);
 }
 
-/// The key `rotate`, in degrees clockwise, and `mirror`.
+/// Takes the key `rotate`, in degrees clockwise, and `mirror`.
 Outcome<hal::Orientation> take_orientation(DisplayAddress& address) {
   const auto degrees = address.take_number("rotate", 0, 270);
   if (!degrees) return degrees.fault();
@@ -137,7 +137,7 @@ Outcome<hal::Orientation> take_orientation(DisplayAddress& address) {
   return hal::Orientation{static_cast<hal::Rotation>(degrees->value_or(0) / 90), *mirrored};
 }
 
-/// The key `id`: the controller's own, or three bytes in hexadecimal. 0 without it.
+/// Takes the key `id`: the controller's own id, or three bytes in hexadecimal. 0 if it is missing.
 Outcome<std::uint32_t> take_id(DisplayAddress& address, std::uint32_t usual, bool can_read) {
   const std::optional<std::string> value = address.take("id");
   if (!value || *value == "no") return std::uint32_t{0};
@@ -152,7 +152,7 @@ Outcome<std::uint32_t> take_id(DisplayAddress& address, std::uint32_t usual, boo
   return id;
 }
 
-/// The keys of panels with MIPI's commands; `usual` is what they are without.
+/// Takes the keys of panels with MIPI's commands; `usual` has the defaults.
 Outcome<hal::DcsConfig> take_config(DisplayAddress& address, const hal::DcsConfig& usual) {
   hal::DcsConfig config = usual;
   const auto size = address.take_size("size");

@@ -1,4 +1,4 @@
-// Opens the panels with a controller of their own, on spidev, I2C or bit-banged lines.
+// Opens panels with their own controller, on spidev, I2C or bit-banged lines.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace zstrip::panel {
 
-/// The kinds of addresses that open_panel takes, one after the other with blanks.
+/// Returns the kinds of addresses that open_panel accepts, separated by spaces.
 std::string panel_kinds();
 
-/// As open_display, for an address whose kind is one of panel_kinds().
+/// Does the same as open_display, for an address whose kind is one of panel_kinds().
 std::variant<DisplayPointer, Failure> open_panel(DisplayAddress& address);
 
 }  // namespace zstrip::panel

@@ -1,4 +1,4 @@
-// Opens a window of the desktop, by SDL.
+// Opens a window of the desktop, with SDL.
 #include "open_window.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 
 namespace zstrip::panel {
 
-/// As open_display, for an address of the kind "sdl". `picture`: the size unless the address has one.
+/// Does the same as open_display, for an address of the kind "sdl". `picture`: the size, unless the address has one.
 std::variant<DisplayPointer, Failure> open_window(DisplayAddress& address, const hal::ScreenSize& picture);
 
 }  // namespace zstrip::panel

@@ -1,4 +1,4 @@
-// How a panel is wired to a Linux machine.
+// Parses and opens the wiring of a panel on a Linux machine.
 #include "panel_wiring.hpp"
 
 #include <charconv>
@@ -13,7 +13,7 @@ using hal::GpioInput;
 using hal::GpioPin;
 using hal::Outcome;
 
-/// A pin without a line if `name` is none; else what Pin::request() makes of the line and `level`.
+/// Returns a pin without a line if `name` is none; else the result of Pin::request() for the line and `level`.
 template <class Pin, class... Level>
 Outcome<Pin> open_pin(const char* key, const std::optional<std::string>& name, Level... level) {
   if (!name) return Pin();
@@ -35,7 +35,7 @@ std::optional<std::uint8_t> i2c_address(std::string_view text) {
   return value;
 }
 
-/// The keys of an address with `i2c`.
+/// Takes the keys of an address with `i2c`.
 Outcome<PanelWiring> take_i2c(DisplayAddress& address, PanelWiring wiring) {
   if (address.kind() != "ssd1306") return address.fault("i2c", "is only for ssd1306: other controllers have none");
   if (wiring.spidev || wiring.clock || wiring.data || wiring.select || wiring.miso || wiring.data_command ||
@@ -82,7 +82,7 @@ Outcome<PanelWiring> PanelWiring::take(DisplayAddress& address) {
 }
 
 Outcome<OpenWiring> OpenWiring::open(const PanelWiring& wiring, std::uint32_t usual_hertz) {
-  // All lines rest: chip select and reset are active while low.
+  // All lines are inactive: chip select and reset are active low.
   Outcome<GpioPin> reset = open_pin<GpioPin>("reset", wiring.reset, true);
   if (!reset) return reset.fault();
   Outcome<GpioPin> backlight = open_pin<GpioPin>("backlight", wiring.backlight, false);

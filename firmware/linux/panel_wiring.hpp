@@ -1,4 +1,4 @@
-// How a panel is wired to a Linux machine, as given in an address: the bus, D/C, reset and backlight.
+// The wiring of a panel on a Linux machine, from an address: the bus, D/C, reset and backlight.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +14,30 @@
 
 namespace zstrip::panel {
 
-/// The words for lines and bus. Either `spidev`, or `clock` and `data` and perhaps `select` and `miso`, or `i2c`
+/// The words for lines and bus: either `spidev`, or `clock` and `data` with optional `select` and `miso`, or `i2c`
 /// without D/C.
 struct PanelWiring {
-  /// Takes its keys from the address. Faults: a word is missing, or two do not go together.
+  /// Takes its keys from the address. Faults: a word is missing, or two exclude each other.
   static hal::Outcome<PanelWiring> take(DisplayAddress& address);
 
   std::optional<std::string> spidev, clock, data, select, miso, i2c, data_command, reset, backlight;
-  std::optional<std::uint32_t> hertz;  ///< of spidev
+  std::optional<std::uint32_t> hertz;  ///< clock of spidev
   std::uint8_t address = 0x3C;         ///< on I2C
 
-  /// True if a wire carries the panel's answers. On spidev the controller has one.
+  /// True if a wire carries the panel's answers. With spidev the controller has one.
   bool can_read() const { return spidev || miso; }
 };
 
 using BitBangedBus = hal::BitBangedSpi<hal::GpioPin, hal::GpioPin, hal::GpioPin, hal::GpioPin, hal::GpioInput>;
 
-/// Lines and bus, opened; a line that is not wired is a pin without a line.
+/// Open lines and bus; a line that is not wired is a pin without a line.
 struct OpenWiring {
-  /// `usual_hertz`: spidev's clock unless the wiring has another. Faults name line and device, and what to do.
+  /// `usual_hertz`: spidev's clock, unless the wiring has another one. Faults name line and device, and the remedy.
   static hal::Outcome<OpenWiring> open(const PanelWiring& wiring, std::uint32_t usual_hertz);
 
   std::variant<hal::SpidevBus, BitBangedBus, hal::I2cdevBus> bus;
-  hal::GpioPin reset;      ///< high
-  hal::GpioPin backlight;  ///< low: off
+  hal::GpioPin reset;      ///< starts high
+  hal::GpioPin backlight;  ///< starts low: off
 };
 
 }  // namespace zstrip::panel

@@ -44,14 +44,15 @@ std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOpt
                             Played& played) {
   View view{display.width(), display.height(), view_format(display.format()), scene.dithers(), scene.samples()};
   if (view.width * sample_columns(view) > kMaxViewSize || view.height * sample_rows(view) > kMaxViewSize) {
-    view.samples = 1;  // the display has pixels enough
+    view.samples = 1;  // the display has enough pixels without supersampling
   }
   const Camera camera = scene.camera(view, options.frames_per_turn);
   if (options.frames_per_turn > 1 && !scene.can_turn(camera)) {
     return Failure{ExitStatus::input, "what turns in the baked scene is too far away for it; play it with --turn 1"};
   }
   const Effects effects = effects_of(scene.scene(), camera) | effects_of(view) | scene.effects() | effect::bins;
-  // Controllers with several pixels a byte need areas of whole bytes, some of them in y: they get the picture in one.
+  // Controllers with several pixels a byte need areas of whole bytes, some of them in y: they get the picture as one
+  // strip.
   const bool whole = view.format == PixelFormat::gray4 || view.format == PixelFormat::mono;
   const Budget budget{.strip_rows = whole ? view.height : std::uint16_t{0}};
   const auto [planned, plan] = zstrip::plan(count(scene.scene()), view, effects, budget);

@@ -14,7 +14,7 @@ namespace zstrip::panel {
 struct PlayOptions {
   std::uint32_t frames = 0;           ///< 0: until stopped
   std::uint32_t frames_per_turn = 1;  ///< at least 1; 1: the scene stands still
-  double frames_per_second = 0;       ///< at most; 0: as many as the display takes
+  double frames_per_second = 0;       ///< upper limit; 0: as many as the display takes
 };
 
 /// The result of play().
@@ -23,8 +23,8 @@ struct Played {
   double seconds = 0;
 };
 
-/// A frame that the display refuses is said on standard error and drawn again; after ten refusals in a row the display
-/// is given up. None, or a failure: budget, input (the scene cannot be planned or drawn), output.
+/// Plays the scene. A frame that the display refuses is reported on standard error and drawn again; after ten refusals
+/// in a row play() gives up. Returns none, or a failure: budget, input (the scene cannot be planned or drawn), output.
 std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOptions& options, StopSignals& stop,
                             Played& played);
 

@@ -1,4 +1,4 @@
-// A baked scene (.zsc) read from a file, with its animation or rotation.
+// Reads a baked scene (.zsc) from a file, with its animation or rotation.
 #include "scene_file.hpp"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A baked scene (.zsc) read from a file, with its animation or rotation.
+// Reads a baked scene (.zsc) from a file, with its animation or rotation.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace zstrip::panel {
 
 class SceneFile {
  public:
-  /// Reads and checks all of the file. Faults name what to do: bake it again, mostly.
+  /// Reads and checks the whole file. Faults name the remedy, mostly to bake it again.
   static hal::Outcome<SceneFile> open(const std::string& path);
 
   SceneFile(SceneFile&&) = default;
@@ -27,15 +27,14 @@ class SceneFile {
   /// True if the picture was baked to be dithered. samples(): the number of samples a pixel that it was baked with.
   bool dithers() const { return blob_.view.dither; }
   std::uint8_t samples() const { return blob_.view.samples; }
-  /// Returns the other effect of the baked picture: one of kPictureEffects.
+  /// Returns the additional effects of the baked picture: one of kPictureEffects.
   Effects effects() const { return blob_.effects; }
-  /// The blob's camera for `frames` frames; in a picture narrower than the blob's own it shows as much from side to
-  /// side.
+  /// Returns the blob's camera for `frames` frames. In a narrower picture than the blob's it shows the same width.
   Camera camera(const View& view, std::uint32_t frames) const;
-  /// True if the scene can make a full turn: all rotated parts are near enough to the origin.
+  /// True if the scene can rotate by 360 degrees: all rotated parts are near enough to the origin.
   bool can_turn(const Camera& camera) const;
-  /// Frame `frame` of `frames` that show the animation once, or else a full turn; `camera` as above. Valid until the
-  /// next call, and as long as this object lives.
+  /// Returns frame `frame` of `frames` that show the animation once, or else a full rotation; `camera` is the result of
+  /// camera(). Valid until the next call, and as long as this object lives.
   scenes::BakedFrame staged(const Camera& camera, std::uint32_t frame, std::uint32_t frames);
 
  private:

@@ -10,7 +10,7 @@
 namespace zstrip::panel {
 namespace {
 
-/// Besides these, the real-time signals would end the program as quietly.
+/// Real-time signals would also end the program without a message, but are not handled.
 constexpr int kStopping[] = {SIGINT,  SIGTERM,   SIGHUP,  SIGUSR1, SIGUSR2, SIGALRM,
                              SIGPROF, SIGVTALRM, SIGXCPU, SIGIO,   SIGPWR,  SIGSTKFLT};
 
@@ -22,7 +22,7 @@ StopSignals::StopSignals() {
   const auto add = [&signals](int signal) {
     struct sigaction action {};
     const bool is_ignored = sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
-    // nohup has SIGHUP ignored, a shell SIGINT of a program in the background.
+    // nohup ignores SIGHUP, and a shell ignores SIGINT for a program in the background.
     if (is_ignored && signal != SIGINT && signal != SIGTERM) return;
     if (is_ignored) std::signal(signal, SIG_DFL);
     sigaddset(&signals, signal);
@@ -37,7 +37,7 @@ StopSignals::StopSignals() {
 bool StopSignals::arrived_before(Clock::time_point deadline) {
   while (!arrived_) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    const long long most = ended_ ? kWatchEvery.count() : 60'000;  // at a time
+    const long long most = ended_ ? kWatchEvery.count() : 60'000;  // milliseconds of one wait
     pollfd waiting{file_.get(), POLLIN, 0};
     arrived_ = poll(&waiting, 1, static_cast<int>(std::clamp<long long>(left, 0, most))) > 0 || (ended_ && ended_());
     if (!arrived_ && Clock::now() >= deadline) break;

@@ -1,4 +1,4 @@
-// The signals that end the program: SIGINT, SIGTERM, SIGHUP, and the others that would end it without a word.
+// The signals that end the program: SIGINT, SIGTERM, SIGHUP, and others that would end it without a message.
 #pragma once
 
 #include <chrono>
@@ -9,24 +9,24 @@
 
 namespace zstrip::panel {
 
-/// From the first object on they end nothing by themselves, but are waited for here; SIGPIPE and SIGXFSZ are ignored,
-/// so that what is written fails instead. SIGQUIT, signals of crashes and SIGKILL still end the program at once.
+/// From the first object on, these signals no longer end the program: it waits for them here. SIGPIPE and SIGXFSZ are
+/// ignored, so that writes fail instead. SIGQUIT, signals of crashes and SIGKILL still end the program at once.
 class StopSignals {
  public:
   using Clock = std::chrono::steady_clock;
 
   StopSignals();
 
-  /// Something else that counts as a signal when it is true. It is asked by every function below, and every
-  /// kWatchEvery as long as one waits. None: nothing is.
+  /// Sets a function that counts as a signal when it returns true. Every function below calls it, and while one waits
+  /// it is called every kWatchEvery. Empty: no function.
   void watch(std::function<bool()> ended) { ended_ = std::move(ended); }
   static constexpr std::chrono::milliseconds kWatchEvery{15};
 
   /// True if a signal has arrived.
   bool arrived() { return arrived_before(Clock::now()); }
-  /// Returns true as soon as one has arrived, false at `deadline`.
+  /// Returns true as soon as a signal has arrived, false at `deadline`.
   bool arrived_before(Clock::time_point deadline);
-  /// Returns when one has arrived.
+  /// Returns when a signal has arrived.
   void wait();
 
  private:

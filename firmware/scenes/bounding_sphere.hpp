@@ -1,4 +1,4 @@
-// The bounds of a meshlet, worked out by the compiler.
+// Computes the bounds of a meshlet at compile time.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace zstrip::scenes {
 
 struct BoundingSphere {
   Position centre;
-  std::uint16_t radius;  ///< grid steps of the largest half extent, rounded up
+  std::uint16_t radius;  ///< in grid steps of the largest half extent, rounded up
 };
 
-/// The sphere around the centre of the box of these positions; at least one.
+/// Returns the sphere around the centre of the box of these positions; at least one position.
 consteval BoundingSphere bounding_sphere(std::span<const Position> positions, const Vec3& half_extent) {
   std::int32_t low[3] = {32767, 32767, 32767}, high[3] = {-32767, -32767, -32767};
   for (const Position& p : positions) {

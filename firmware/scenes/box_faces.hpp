@@ -14,7 +14,7 @@ struct BoxFace {
   std::int8_t right[3];  ///< the direction in which u grows
   std::int8_t up[3];     ///< the direction in which v grows
 };
-/// Normals +z, -z, +x, -x, +y, -y; seen against the normal, the corners of each are counter-clockwise from its lower
+/// Normals +z, -z, +x, -x, +y, -y. Seen against the normal, the corners of a face are counter-clockwise from its lower
 /// left.
 inline constexpr BoxFace kBoxFaces[6] = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
                                          {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},

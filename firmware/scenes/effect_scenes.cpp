@@ -26,7 +26,7 @@ consteval std::array<std::uint16_t, 256 + 128> lattice() {
   return result;
 }
 
-/// As the texels of room.cpp: joints, light and dark tiles.
+/// Returns joints, light and dark tiles, as in room.cpp, as indices.
 consteval std::array<std::uint16_t, 16 + 64> indexed() {
   std::array<std::uint16_t, 16 + 64> result{0x8C71, 0xF7BE, 0xC5F6};  // RGB565
   for (std::size_t i = 0; i < 256; ++i) {
@@ -38,7 +38,7 @@ consteval std::array<std::uint16_t, 16 + 64> indexed() {
   return result;
 }
 
-/// Half of each level's texels are light, down to one texel between both.
+/// Returns levels in which half of the texels are light, down to one texel with the mean.
 consteval std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> chequer() {
   constexpr std::uint16_t kLight = 0xFFFF, kDark = 0x18E8, kBetween = 0x8C74;  // RGB565
   std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> result{};
@@ -59,7 +59,7 @@ constexpr std::int32_t root(std::int32_t square) {
   return root;
 }
 
-/// `share`: of `to`, in 256ths.
+/// `share` is the share of `to`, in 1/256.
 consteval std::uint16_t mixed(const Colour& from, const Colour& to, std::int32_t share) {
   const auto channel = [share](std::int32_t a, std::int32_t b) {
     return a + (b - a) * (share < 256 ? share : 256) / 256;
@@ -68,7 +68,7 @@ consteval std::uint16_t mixed(const Colour& from, const Colour& to, std::int32_t
                                     channel(from.b, to.b) >> 3);
 }
 
-/// The reflection on a ball of radius 31, under a sky that is blue overhead, above a floor that is dark far away.
+/// Returns the reflection on a ball of radius 31, under a sky that is blue above, over a floor that is dark far away.
 consteval std::array<std::uint16_t, 1024> environment_map() {
   std::array<std::uint16_t, 1024> result{};
   for (std::int32_t i = 0; i < 1024; ++i) {
@@ -87,7 +87,7 @@ consteval std::array<std::uint16_t, 1024> environment_map() {
   return result;
 }
 
-/// On the octahedron |x| + |y| + |z| = kCuts.
+/// A point of the octahedron |x| + |y| + |z| = kCuts.
 struct OctahedronPoint {
   std::int32_t x, y, z;
 };
@@ -107,7 +107,7 @@ consteval std::array<OctahedronPoint, kBallVertices> octahedron() {
   return points;
 }
 
-/// Where the sphere of this radius has what the octahedron has at `coordinate`, rounded to nearest.
+/// Returns the coordinate on the sphere of this radius for `coordinate` on the octahedron, rounded to nearest.
 constexpr std::int32_t on_sphere(std::int32_t coordinate, const OctahedronPoint& p, std::int32_t radius) {
   const std::int32_t length = root((p.x * p.x + p.y * p.y + p.z * p.z) << 16);  // 8 fraction bits
   const std::int32_t twice = 2 * 256 * radius * coordinate / length;

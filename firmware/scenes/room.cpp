@@ -6,13 +6,13 @@
 namespace zstrip::scenes {
 namespace {
 
-/// Number of tiles on a wall; in the order of kBoxFaces.
+/// The number of tiles on a wall, in the order of kBoxFaces.
 struct Tiles {
   int across, up;
 };
 constexpr Tiles kTiles[6] = {{4, 2}, {4, 2}, {4, 2}, {4, 2}, {4, 4}, {4, 4}};
 
-/// v grows downwards: 0 at the upper edge of a wall.
+/// v grows downwards and is 0 at the upper edge of a wall.
 consteval std::array<TexCoord, 24> texcoords() {
   constexpr int kOne = 1 << Mesh{}.texcoord_bits;
   std::array<TexCoord, 24> result{};
@@ -24,7 +24,7 @@ consteval std::array<TexCoord, 24> texcoords() {
   return result;
 }
 
-/// Two light and two darker tiles with joints between them.
+/// Returns two light and two darker tiles with joints between them.
 consteval std::array<std::uint16_t, kRoomTexels.size()> texels() {
   constexpr std::uint16_t kJoint = 0x8C71, kLight = 0xF7BE, kDark = 0xC5F6;  // RGB565
   std::array<std::uint16_t, kRoomTexels.size()> result{};

@@ -1,4 +1,4 @@
-// The catalogue: every built-in scene under its name.
+// The catalogue: every built-in scene with its name.
 #include "zstrip_scenes/scenes.hpp"
 
 #include "zstrip_scenes/character.hpp"
@@ -33,7 +33,7 @@ constexpr bool all_fit_staged() {
 }
 static_assert(all_fit_staged());
 
-/// Without strlen, which a freestanding target need not have.
+/// Compares without strlen, which a freestanding target need not have.
 bool equal(std::string_view name, const char* other) {
   for (const char character : name) {
     if (*other == '\0' || *other != character) return false;

@@ -1,4 +1,4 @@
-// The position of the teapot.
+// Computes the position of the teapot.
 #include "zstrip_scenes/showroom.hpp"
 
 #include "zstrip/base/math.hpp"

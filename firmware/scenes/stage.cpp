@@ -9,7 +9,7 @@
 namespace zstrip::scenes {
 namespace {
 
-/// 0.1 and 0.05 radians in 0.32 turns, rounded to nearest.
+/// 0.1 and 0.05 radians in 0.32 of a full circle, rounded to nearest.
 constexpr std::uint32_t kWorkloadStep = 68356528;
 constexpr std::uint32_t kWorkloadHalfStep = 34178264;
 
@@ -36,7 +36,7 @@ Transform about_y(const Rotation& r) {
   return {{{r.cosine, 0, r.sine, 0}, {0, kFixedOne, 0, 0}, {-r.sine, 0, r.cosine, 0}}};
 }
 
-/// The transform that applies `first`, then `second`; each product rounds down.
+/// Returns the transform that applies `first`, then `second`; each product rounds down.
 Transform combine(const Transform& second, const Transform& first) {
   Transform result{};
   for (int row = 0; row < 3; ++row) {
@@ -49,7 +49,7 @@ Transform combine(const Transform& second, const Transform& first) {
   return result;
 }
 
-/// Also for the camera's axes: 2.30 by 16.16 is 2.30.
+/// Also used for the camera's axes: 2.30 by 16.16 is 2.30.
 Vec3 turned_about_y(const Vec3& v, const Rotation& r) {
   return {fixed_multiply(v.x, r.cosine) + fixed_multiply(v.z, r.sine), v.y,
           fixed_multiply(v.z, r.cosine) - fixed_multiply(v.x, r.sine)};

@@ -1,4 +1,4 @@
-// The hills, worked out by the compiler: products of waves, coloured by height and by how they face the sun.
+// The hills, computed at compile time: products of waves, coloured by height and by their angle to the sun.
 #include "zstrip_scenes/terrain.hpp"
 
 #include "bounding_sphere.hpp"
@@ -16,7 +16,7 @@ struct Wave {
 };
 constexpr Wave kWaves[] = {{5, 0.045, 2.9, 0.04, 1.9}, {2.6, 0.13, 2.2, 0.11, 0.4}, {1, 0.31, 2.2, 0.29, 2}};
 
-/// A row and a column beyond each border, for slopes: point i lies at (i - 1) * kStep - kExtent.
+/// The grid has one more row and column beyond each border, for slopes: point i lies at (i - 1) * kStep - kExtent.
 constexpr std::size_t kPoints = kSide + 2;
 using Heights = std::array<std::array<double, kPoints>, kPoints>;
 
@@ -38,7 +38,7 @@ consteval Heights heights() {
 
 constexpr Heights kHeights = heights();
 
-/// Where in the grid a vertex of a tile lies.
+/// The grid point of a tile's vertex.
 struct GridPoint {
   std::size_t x, z;
 };
@@ -62,7 +62,7 @@ consteval std::array<Position, kTerrainVertices> positions() {
   return result;
 }
 
-/// From grass over rock to snow.
+/// Returns colours from grass over rock to snow.
 consteval std::array<Colour, kTerrainVertices> colours() {
   constexpr double kGround[3][3] = {{70, 125, 55}, {140, 120, 90}, {250, 250, 255}};
   std::array<Colour, kTerrainVertices> result{};
@@ -74,7 +74,7 @@ consteval std::array<Colour, kTerrainVertices> colours() {
     const double length = compile_time::square_root(1 + slope_x * slope_x + slope_z * slope_z);
     const double sun = (0.6 + 0.7 * slope_x - 0.4 * slope_z) / length;  // from the left, in front
     const double light = 0.3 + (sun > 0 ? 0.8 * sun : 0);
-    const double above = (height + 5) / 6;  // grass at 0, rock at 1, snow at 2
+    const double above = (height + 5) / 6;  // 0 grass, 1 rock, 2 snow
     const double clamped = above < 0 ? 0 : above > 1.999 ? 1.999 : above;
     const auto lower = static_cast<std::size_t>(clamped);
     const auto channel = [&](std::size_t c) {

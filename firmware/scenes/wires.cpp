@@ -1,4 +1,4 @@
-// The wires' surfaces, worked out by the compiler: prisms along the circles of a globe.
+// The wires' surfaces, computed at compile time: prisms along the circles of a globe.
 #include "zstrip_scenes/wires.hpp"
 
 #include "zstrip/scene/validate.hpp"
@@ -16,7 +16,7 @@ constexpr Vector cross(const Vector& a, const Vector& b) {
 }
 
 struct Circle {
-  Vector centre, across, up;  ///< the last two at right angles, as long as the radius
+  Vector centre, across, up;  ///< the last two are perpendicular, with the length of the radius
 };
 
 consteval Circle circle(std::size_t wire) {

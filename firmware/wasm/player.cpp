@@ -1,6 +1,5 @@
-// A baked scene (.zsc) drawn in WebAssembly, for a page or Node.js: one scene for each instance of the module.
-// zstrip.mjs is the other side and the interface; it calls the functions in their order, and knows nothing of memory
-// but addresses.
+// Draws a baked scene (.zsc) in WebAssembly, for a page or Node.js: one scene for each instance of the module.
+// zstrip.mjs is the interface: it calls the functions in order, and knows only addresses of memory.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -13,11 +12,11 @@
 #include "zstrip/renderer.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 
-extern "C" std::byte __heap_base;  // the linker's: where memory is free from
+extern "C" std::byte __heap_base;  // set by the linker: free memory begins here
 
 namespace zstrip {
 
-/// Leaves out the faster pipelines for scenes with few effects: the pipelines for all effects draw the same pixels,
+/// Leaves out the faster pipelines for scenes with few effects: the pipelines with all effects draw the same pixels,
 /// and a page has less to load.
 std::span<const detail::PipelineRow> detail::rows_of_triangles() { return {}; }
 
@@ -28,7 +27,7 @@ constexpr std::size_t kAlignment = 8;
 
 std::byte* next_free = &__heap_base;
 
-/// Memory for as long as the instance lives, in whole words of 8 bytes; nullptr if there is none.
+/// Reserves memory for the life of the instance, in whole words of 8 bytes; nullptr if there is none.
 std::byte* reserve(std::size_t bytes) {
   const std::size_t first = (reinterpret_cast<std::size_t>(next_free) + kAlignment - 1) / kAlignment * kAlignment;
   const std::size_t have = __builtin_wasm_memory_size(0) * kPage;
@@ -41,7 +40,7 @@ std::byte* reserve(std::size_t bytes) {
   return reinterpret_cast<std::byte*>(first);
 }
 
-/// Room for `count` objects; empty if there is none.
+/// Returns room for `count` objects; empty if there is none.
 template <class T>
 std::span<T> room_for(std::size_t count) {
   if (count > SIZE_MAX / sizeof(T)) return {};
@@ -54,7 +53,7 @@ View view;
 Plan planned;
 Camera camera;
 std::uint32_t frames = 1;
-scenes::BakedFrame staged;  // is read until its last strip is drawn
+scenes::BakedFrame staged;  // read until its last strip is drawn
 std::span<Instance> instances;
 std::span<LineSet> lines;
 std::span<std::byte> arena, strip_pixels;
@@ -62,7 +61,7 @@ std::span<std::uint8_t> picture;  // red, green, blue, alpha
 AnyRenderer* renderer = nullptr;
 alignas(AnyRenderer) std::byte renderer_memory[sizeof(AnyRenderer)];
 
-/// Converts a pixel of RGB565, as panels show it.
+/// Converts a pixel of RGB565 to the colour that panels show.
 void put_pixel(std::uint8_t* to, unsigned pixel) {
   const unsigned red = pixel >> 11, green = pixel >> 5 & 63U, blue = pixel & 31U;
   to[0] = static_cast<std::uint8_t>(red << 3 | red >> 2);
@@ -85,7 +84,7 @@ Status begin(std::uint32_t frame) {
 
 using namespace zstrip;
 
-// Status numbers are zstrip::Error's; words() has each in words. -1: no memory.
+// Status numbers are those of zstrip::Error; words() returns a message for each. -1: no memory.
 extern "C" {
 
 [[clang::export_name("reserve")]] std::byte* zstrip_reserve(std::size_t bytes) { return reserve(bytes); }
@@ -94,7 +93,7 @@ extern "C" {
   return status < 0 ? "no memory" : message(static_cast<Error>(status));
 }
 
-/// The bytes of a .zsc, which stay where they are.
+/// Opens the bytes of a .zsc, which must not move.
 [[clang::export_name("open")]] int zstrip_open(const std::byte* bytes, std::size_t size) {
   const std::span file(bytes, size);
   Status status = open_scene_blob(file, {}, blob);
@@ -108,7 +107,7 @@ extern "C" {
 [[clang::export_name("own_width")]] int zstrip_own_width() { return blob.view.width; }
 [[clang::export_name("own_height")]] int zstrip_own_height() { return blob.view.height; }
 
-/// The picture's size, and how many frames show the animation or a turn, at least 1.
+/// Sets the picture's size, and the number of frames that show the animation or a rotation, at least 1.
 [[clang::export_name("prepare")]] int zstrip_prepare(std::uint16_t width, std::uint16_t height,
                                                      std::uint32_t count_of) {
   view = {width, height, PixelFormat::rgb565, blob.view.dither, blob.view.samples};
@@ -126,7 +125,7 @@ extern "C" {
   picture = room_for<std::uint8_t>(std::size_t{4} * width * height);
   if (picture.empty() || strip_pixels.empty() || arena.size() < planned.bytes()) return -1;
   renderer = new (renderer_memory) AnyRenderer(effects);
-  return static_cast<int>(begin(0).error);  // an effect that is not here is noticed now
+  return static_cast<int>(begin(0).error);  // reports a missing effect now
 }
 
 /// Draws frame `frame` into picture().

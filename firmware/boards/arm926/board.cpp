@@ -1,4 +1,4 @@
-// Arm Versatile/PB: the console on UART 0 (PL011), the end of the program through Arm semihosting.
+// Arm Versatile/PB: the console is UART 0 (PL011); the program ends through Arm semihosting.
 #include "cortex_m/board.hpp"
 
 #include "cortex_m/pl011.hpp"

@@ -1,4 +1,4 @@
-// Faults, for tests: shown on the LCD and the console.
+// Causes faults for tests, which are shown on the LCD and the console.
 #include "arm926/show.hpp"
 #include "portable/faulting_player.hpp"
 

@@ -1,6 +1,6 @@
 // Frame clock: timer 0 (SP804) through the vectored interrupt controller (PL190), with interrupts masked in the
-// processor; a masked one that is pending still ends its wait for interrupt. QEMU's machine has no watchdog. Sources:
-// Dual-Timer Module (SP804), PrimeCell VIC (PL190) and ARM926EJ-S technical reference manuals.
+// processor: a pending interrupt ends the wait for interrupt also while it is masked. QEMU's machine has no watchdog.
+// Sources: Dual-Timer Module (SP804), PrimeCell VIC (PL190) and ARM926EJ-S technical reference manuals.
 #include "portable/pacing.hpp"
 
 #include "cortex_m/registers.hpp"

@@ -1,4 +1,4 @@
-// A textured room seen from inside in 640x480 pixels, each texel in its exact place.
+// A textured room seen from inside in 640x480 pixels; each pixel gets the exact texel.
 #include "arm926/show.hpp"
 #include "zstrip_scenes/room.hpp"
 

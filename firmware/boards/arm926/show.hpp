@@ -15,7 +15,7 @@ namespace zstrip::board {
 template <LcdMode mode>
 inline constexpr View kLcdView{mode.horizontal.visible, mode.vertical.visible, PixelFormat::rgb565};
 
-/// Whatever `Player` shows, for ever; the result is main's.
+/// Shows the frames of `Player` for ever; main returns the result.
 template <class Player, LcdMode mode>
 int run_on_lcd() {
   constexpr View kView = kLcdView<mode>;
@@ -27,7 +27,7 @@ int run_on_lcd() {
   return 1;
 }
 
-/// `scene` on the turntable for ever, drawn with a preset; the result is main's.
+/// Shows `scene` on the turntable for ever, drawn with a preset; main returns the result.
 template <const scenes::BuiltIn& scene, LcdMode mode, const Quality& preset = quality::balanced>
 int show_on_lcd() {
   constexpr Budget kBudget{.bytes = 256 * 1024, .strip_buffers = 1};

@@ -9,7 +9,7 @@
 int main();
 
 extern "C" {
-// Set by the linker script; only their addresses mean something.
+// The linker script sets these; only their addresses have a meaning.
 extern std::uint32_t bss_start[], bss_end[];
 
 [[noreturn]] void reset_handler();
@@ -31,7 +31,7 @@ bool reported = false;
   asm volatile(
       "b reset_handler\n\t"      // reset
       "b exception_handler\n\t"  // undefined instruction
-      "b .\n\t"                  // software interrupt: halt() without semihosting, the end
+      "b .\n\t"                  // software interrupt: halt() ends here without semihosting
       "b exception_handler\n\t"  // prefetch abort
       "b exception_handler\n\t"  // data abort
       "b exception_handler\n\t"  // reserved
@@ -63,7 +63,7 @@ void start_program() {
       ".ltorg");
 }
 
-// Each mode has a stack pointer of its own; the program's frames must stay as they are.
+// Each mode has its own stack pointer; the program's stack frames must not change.
 [[gnu::naked]] void exception_handler() {
   asm volatile(
       "mov r0, lr\n\t"
@@ -77,7 +77,7 @@ void start_program() {
       ".ltorg");
 }
 
-// `return_address` is 4 or 8 bytes behind the instruction; `mode`: 0x1B undefined instruction, 0x17 abort.
+// `return_address` is 4 or 8 bytes after the instruction; `mode`: 0x1B undefined instruction, 0x17 abort.
 void report_exception(std::uint32_t return_address, std::uint32_t mode) {
   using namespace zstrip::board;
   FaultWords::clear();

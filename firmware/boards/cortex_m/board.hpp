@@ -3,13 +3,13 @@
 
 namespace zstrip::board {
 
-/// Called once, after memory is set up and before main: clocks, pins, and the console.
+/// Sets up clocks, pins and the console. Called once, after memory is set up and before main.
 void start();
 
-/// Sends one character to the board's console; waits until it is taken. Usable from fault handlers.
+/// Sends one character to the board's console; waits until the console has taken it. Fault handlers may call it.
 void put_character(char character);
 
-/// The end of the program: 0 is success. An emulator ends with this exit status, real hardware waits for a reset.
+/// Ends the program; status 0 is success. An emulator ends with this exit status; real hardware waits for a reset.
 [[noreturn]] void halt(int status);
 
 }  // namespace zstrip::board

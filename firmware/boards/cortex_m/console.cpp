@@ -1,4 +1,4 @@
-// Text and numbers to the board's console, without printf.
+// Writes text and numbers to the board's console, without printf.
 #include "cortex_m/console.hpp"
 
 #include "cortex_m/board.hpp"

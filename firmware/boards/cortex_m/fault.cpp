@@ -1,5 +1,5 @@
-// Faults and unexpected interrupts: reports on the console what happened and where, then returns to the place that
-// mark_fault_return() has marked, the first time, or halts.
+// Reports faults and unexpected interrupts on the console, then returns to the place that mark_fault_return() marked; a
+// second fault, or a fault without a marked place, halts the board.
 #include <cstdint>
 
 #include "cortex_m/board.hpp"
@@ -11,9 +11,9 @@
 namespace {
 constexpr int kFaultStatus = 70;
 enum : std::uint32_t { kReturnAddress = 9, kReturnWords };
-constexpr std::uint32_t kThumb = 1;  // of an address in lr, not of one in a frame
+constexpr std::uint32_t kThumb = 1;  // set in an address in lr, not in one in an exception frame
 
-/// True if an exception's frame lies in the stack, above its guard, and the stack limit was not reached.
+/// True if an exception's frame lies in the stack above its guard, and the stack limit was not reached.
 bool has_frame(const std::uint32_t* stacked) {
   using namespace zstrip::board;
 #if __ARM_ARCH_8M_MAIN__ || __ARM_ARCH_8_1M_MAIN__
@@ -24,16 +24,17 @@ bool has_frame(const std::uint32_t* stacked) {
 }
 }  // namespace
 
-// The report runs on a stack of its own, because the program's may be full.
+// The report uses a separate stack, because the program's stack may be full.
 extern "C" {
 [[gnu::used, gnu::aligned(8)]] char fault_stack[176];
-/// r4 to r11, sp and lr of mark_fault_return()'s caller. FPU registers are not kept: afterwards they hold anything.
+/// r4 to r11, sp and lr of mark_fault_return()'s caller. FPU registers are not saved: afterwards their values are
+/// undefined.
 [[gnu::used]] std::uint32_t fault_return[kReturnWords];
 void fault_handler();
 [[gnu::used]] void report_fault(const std::uint32_t* stacked, std::uint32_t exception);
 }
 
-// Only with low registers can Armv6-M load and store several at once.
+// Armv6-M can load and store several registers at once only if they are low registers.
 [[gnu::naked]] bool zstrip::board::mark_fault_return() {
   asm volatile(
       ".syntax unified\n\t"
@@ -52,16 +53,16 @@ void fault_handler();
       ".ltorg");
 }
 
-// The return goes by an exception frame below the marked stack pointer, so that it leaves the handler: in there a
-// second fault would lock the processor up.
+// Returns through an exception frame below the marked stack pointer, so that it leaves the handler: a second fault
+// inside of the handler would lock up the processor.
 [[gnu::naked]] void fault_handler() {
   asm volatile(
       ".syntax unified\n\t"
       "mrs r0, msp\n\t"
       "mrs r1, ipsr\n\t"
 #ifdef __ARM_FP
-      // FPCCR.LSPACT: the registers' place in the frame that is left behind is reserved, and the next FP instruction
-      // would still write there.
+      // FPCCR.LSPACT: the abandoned frame has reserved room for FP registers, and the next FP instruction would still
+      // write them there.
       "ldr r2, =0xE000EF34\n\t"
       "ldr r3, [r2]\n\t"
       "bic r3, #1\n\t"
@@ -81,20 +82,21 @@ void fault_handler();
       "subs r2, #32\n\t"
       "mov sp, r2\n\t"
       "movs r0, #1\n\t"
-      "str r0, [r2, #0]\n\t"   // r0: true
+      "str r0, [r2, #0]\n\t"   // true
       "str r3, [r2, #24]\n\t"  // pc
       "lsls r0, r0, #24\n\t"
       "str r0, [r2, #28]\n\t"    // xpsr: Thumb
-      "ldr r0, =0xFFFFFFF9\n\t"  // to thread mode, main stack, no FPU registers
+      "ldr r0, =0xFFFFFFF9\n\t"  // return to thread mode, main stack, no FPU registers
       "bx r0\n\t"
       ".ltorg");
 }
 
-// `stacked` is what the processor pushed: r0-r3, r12, lr, pc, xpsr. `exception` is its number, 3 for a hard fault.
+// `stacked` is the frame that the processor pushed: r0-r3, r12, lr, pc, xpsr. `exception` is its number, 3 for a hard
+// fault.
 void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   using namespace zstrip::board;
   FaultWords::clear();
-  std::uint32_t decimal = exception;  // a digit every four bits
+  std::uint32_t decimal = exception;  // becomes one decimal digit in every four bits
   for (std::uint32_t rest = exception; rest >= 10; rest -= 10) decimal += 16 - 10;
   FaultWords::add("exception ", decimal, exception < 10 ? 4 : 8);
   if (has_frame(stacked)) {
@@ -120,10 +122,10 @@ void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
     print(" bfar ");
     print_hex(register_at(0xE000ED38));
   }
-  register_at(kCfsr) = cause;  // cleared by ones: the next fault's has its own bits only
+  register_at(kCfsr) = cause;  // writing ones clears them, so that the next fault has only its own bits
 #endif
   print("\n");
-  // Once: an address without that bit was used already.
+  // Only once: an address without this bit was already used.
   if ((fault_return[kReturnAddress] & kThumb) == 0) halt(kFaultStatus);
   fault_return[kReturnAddress] -= kThumb;
 }

@@ -7,10 +7,10 @@
 
 namespace zstrip::board {
 
-/// `base`: of its registers, the first of which is the data register.
+/// `base` is the address of its registers, the first of which is the data register.
 template <std::uint32_t base>
 struct Pl011 {
-  /// 8 bits, no parity, 1 stop bit, both directions. Clock / (16 * baud rate) is `divisor` + `fraction` / 64.
+  /// Sets 8 bits, no parity, 1 stop bit, both directions. Clock / (16 * baud rate) is `divisor` + `fraction` / 64.
   static void start(std::uint32_t divisor, std::uint32_t fraction) {
     register_at(base + 0x024) = divisor;
     register_at(base + 0x028) = fraction;
@@ -24,7 +24,7 @@ struct Pl011 {
     register_at(base) = static_cast<unsigned char>(character);
   }
 
-  /// False if nothing has come.
+  /// Takes a received character. Returns false if there is none.
   static bool take(char& character) {
     if ((register_at(base + kFlags) & kReceiveEmpty) != 0) return false;
     const std::uint32_t data = register_at(base);

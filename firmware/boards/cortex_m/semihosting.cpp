@@ -1,5 +1,6 @@
-// Arm semihosting (specification: Arm 2014, "Semihosting for AArch32 and AArch64"), the calls used here. RISC-V has the
-// same calls behind three instructions ("RISC-V Semihosting", version 0.4), which must not be compressed.
+// The calls of Arm semihosting that are used here (specification: Arm 2014, "Semihosting for AArch32 and AArch64").
+// RISC-V has the same calls behind three instructions ("RISC-V Semihosting", version 0.4), which must not be
+// compressed.
 #include "cortex_m/semihosting.hpp"
 
 #include <cstdint>
@@ -37,7 +38,7 @@ std::uint32_t call(Operation operation, void* block) {
 std::optional<std::string_view> read_command_line(std::span<char> buffer) {
   struct {
     char* text;
-    std::uint32_t size;  // of the buffer; the host replaces it by the length of the text
+    std::uint32_t size;  // size of the buffer; the host replaces it by the length of the text
   } block{buffer.data(), static_cast<std::uint32_t>(buffer.size())};
   if (call(Operation::get_command_line, &block) != 0) return std::nullopt;
   return std::string_view(block.text, block.size);

@@ -1,4 +1,4 @@
-// Calls to a debugger or an emulator. Without one, a call is a fault: only for programs made to run under one.
+// Calls to a debugger or an emulator. Without one, a call is a fault, so that only programs for one may call.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace zstrip::board {
 
-/// The words that the host passes to the program, separated by spaces, in `buffer`. Nothing if the host has none or
-/// they do not fit.
+/// Writes the words that the host passes to the program, separated by spaces, into `buffer`. Returns none if there are
+/// no words or they do not fit.
 std::optional<std::string_view> read_command_line(std::span<char> buffer);
 
 /// Ends the emulator with this exit status.

@@ -1,4 +1,4 @@
-// The stack's two instruments: paint, to see how much of it was ever used, and a guard, so that an overflow is a fault.
+// Paints the stack, to measure how much of it was ever used, and guards it, so that an overflow is a fault.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ extern "C" std::uint32_t stack_bottom[], stack_top[];  // set by the linker scri
 
 inline constexpr std::uint32_t kStackPaint = 0xDEADBEEF;
 
-/// Paints everything below the caller's frame. Always inlined: a frame of its own would lie in the painted part.
+/// Paints all memory below the caller's frame. Always inlined: its own frame would lie in the painted part.
 [[gnu::always_inline]] inline void paint_stack() {
   std::uint32_t* end;
 #if defined(__riscv)
@@ -22,11 +22,12 @@ inline constexpr std::uint32_t kStackPaint = 0xDEADBEEF;
   for (volatile std::uint32_t* word = stack_bottom; word != end; ++word) *word = kStackPaint;
 }
 
-/// Size of the guard, at the bottom of the stack.
+/// Bytes of the guard, at the bottom of the stack.
 inline constexpr std::uint32_t kStackGuardBytes = 256;
 
-/// Makes the bottom of the stack read-only with the memory protection unit, where the processor has one: a write there
-/// faults. (Below it the RAM ends, but not every bus reports that.) On Armv8-M the stack pointer has a limit instead.
+/// Makes the bottom of the stack read-only with the memory protection unit, if the processor has one: a write there
+/// faults. (The RAM ends below it, but not every bus reports that.) On Armv8-M it sets the limit of the stack pointer
+/// instead.
 inline void guard_stack() {
 #if __ARM_ARCH_7M__ || __ARM_ARCH_7EM__
   constexpr std::uint32_t kControl = 0xE000ED94, kNumber = 0xE000ED98, kBase = 0xE000ED9C, kAttributes = 0xE000EDA0;
@@ -43,7 +44,7 @@ inline void guard_stack() {
 #endif
 }
 
-/// Bytes between the top of the stack and the deepest word that was ever written.
+/// Returns the bytes between the top of the stack and the deepest word that was ever written.
 inline std::uint32_t stack_bytes_used() {
   const volatile std::uint32_t* word = stack_bottom;
   while (word != stack_top && *word == kStackPaint) ++word;

@@ -8,7 +8,7 @@
 int main();
 
 extern "C" {
-// Set by the linker script; only their addresses mean something.
+// The linker script sets these; only their addresses have a meaning.
 extern std::uint32_t data_start[], data_end[], bss_start[], bss_end[];
 extern const std::uint32_t data_image[];
 
@@ -25,7 +25,7 @@ struct VectorTable {
   Handler handlers[15];
 };
 
-// No program here uses interrupts: whatever comes is reported as a fault.
+// No program here uses interrupts: every interrupt is reported as a fault.
 [[gnu::section(".vectors"), gnu::used]] constinit const VectorTable vectors{
     zstrip::board::stack_top,
     {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler,

@@ -15,11 +15,11 @@ constexpr std::uint32_t kMaxCycles = 1U << 24;
 constexpr std::uint32_t kInterruptControl = 0xE000ED04;
 constexpr std::uint32_t kTickPending = 1U << 26, kClearTick = 1U << 25;
 
-/// Starts to count `cycles`, and clears a tick that is pending.
+/// Starts to count `cycles`, and clears a pending tick.
 void count_from_now(std::uint32_t cycles) {
   asm volatile("cpsid i" ::: "memory");
   register_at(kControl) = 0;
-  register_at(kReload) = cycles > 1 ? cycles - 1 : 1;  // with 0 it never ticks
+  register_at(kReload) = cycles > 1 ? cycles - 1 : 1;  // a reload value of 0 would never tick
   register_at(kCurrent) = 0;
   register_at(kInterruptControl) = kClearTick;
   register_at(kControl) = kEnable | kInterrupt | kProcessorClock;
@@ -36,7 +36,7 @@ void wait_for_systick() {
 
 void SysTickClock::wait(std::uint32_t microseconds) {
   const std::uint32_t control = register_at(kControl), reload = register_at(kReload);
-  const std::uint32_t most = kMaxCycles / megahertz_;  // microseconds at a time
+  const std::uint32_t most = kMaxCycles / megahertz_;  // the longest wait in microseconds
   while (microseconds != 0) {
     const std::uint32_t part = microseconds < most ? microseconds : most;
     count_from_now(part * megahertz_);

@@ -1,5 +1,5 @@
-// A program for small boards: some frames of a scene on the turntable, drawn strip by strip within a given number of
-// bytes, and a report on the console: one line of JSON with the plan, each frame's checksum and the deepest stack.
+// A program for small boards: draws some frames of a scene on the turntable, strip by strip within a given number of
+// bytes, and reports on the console: one line of JSON with the plan, each frame's checksum and the deepest stack.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ inline void print_member(const char* name, std::uint32_t value) {
   print_decimal(value);
 }
 
-/// `scene` in a picture of width x height pixels, as panels on SPI take them, in `bytes` of memory for arena and
-/// pixels, drawn with a preset: frames 0 to frames - 1 of a turn in `frames_per_turn`. The result is main's.
+/// Draws frames 0 to frames - 1 of a rotation in `frames_per_turn` frames, with a preset: `scene` in width x height
+/// pixels in the format of SPI panels, with `bytes` of memory for arena and pixels. main returns the result.
 template <const scenes::BuiltIn& scene, std::uint16_t width, std::uint16_t height, std::uint32_t bytes,
           const Quality& preset = quality::balanced>
 struct Turntable {
   static constexpr std::uint32_t kFrames = 4;
   static constexpr std::uint32_t kFramesPerTurn = 12;
   static constexpr View kView{width, height, PixelFormat::rgb565_swapped};
-  // The bus of a panel is polled on boards like these: a second strip of pixels would not save any time.
+  // These boards poll the panel's bus: a second strip of pixels would save no time.
   static constexpr Budget kBudget{.bytes = bytes, .split_columns = true, .strip_buffers = 1};
   using Player = ScenePlayer<TurntableMotion<scene, kView, kBudget, kFramesPerTurn, preset>>;
 

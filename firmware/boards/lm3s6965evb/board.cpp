@@ -11,17 +11,17 @@ namespace {
 
 using Uart = Pl011<chip::kUart0>;
 
-// The order is that of the data sheet: leave the PLL, choose the crystal, power the PLL up, wait, use it.
+// The order of the data sheet: leave the PLL, choose the crystal, power the PLL up, wait, use it.
 void start_clock() {
   constexpr std::uint32_t kBypass = 1U << 11;
   constexpr std::uint32_t kCrystal8MHz = 0xEU << 6;
-  constexpr std::uint32_t kDivideBy4 = 3U << 23 | 1U << 22;  // of the PLL's 200 MHz
+  constexpr std::uint32_t kDivideBy4 = 3U << 23 | 1U << 22;  // divides the PLL's 200 MHz
   // All other bits are zero: main oscillator on and chosen, PLL powered, its output enabled.
   register_at(chip::kClockConfig) = kBypass | kCrystal8MHz | kDivideBy4;
   constexpr int kPolls = 100'000;  // the lock takes 0.5 ms at most
   int poll = 0;
   while ((register_at(chip::kClockStatus) & chip::kPllLocked) == 0) {
-    if (++poll == kPolls) halt(1);  // without its clock the board cannot even speak
+    if (++poll == kPolls) halt(1);  // without its clock the board cannot report anything
   }
   register_at(chip::kClockConfig) = kCrystal8MHz | kDivideBy4;
 }
@@ -29,7 +29,7 @@ void start_clock() {
 void enable_peripherals() {
   register_at(chip::kClockGating1) = chip::kGateUart0 | chip::kGateSsi0;
   register_at(chip::kClockGating2) = chip::kGateGpioA | chip::kGateGpioC | chip::kGateGpioD;
-  // A peripheral must not be touched until its clock has run for three cycles: a read takes that long.
+  // A peripheral must not be accessed until its clock has run for three cycles, which a read takes.
   [[maybe_unused]] const std::uint32_t settled = register_at(chip::kClockGating2);
 }
 

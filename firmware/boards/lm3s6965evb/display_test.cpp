@@ -1,5 +1,5 @@
-// Shows all 16 greys as vertical bars, brighter to the right, in a white frame one pixel wide: is the panel wired and
-// driven right? Needs no renderer.
+// Shows all 16 greys as vertical bars, brighter to the right, in a white frame one pixel wide, to test the panel's
+// wiring and driver. Needs no renderer.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace {
 using zstrip::hal::Error;
 using Panel = zstrip::hal::Ssd0323<zstrip::board::OledBus>;
 
-constexpr std::uint16_t kStripRows = 12;  // six strips, the last one lower
+constexpr std::uint16_t kStripRows = 12;  // six strips, the last one with fewer rows
 constexpr std::uint32_t kRowBytes = Panel::kWidth / 2;
 
 unsigned level(std::uint32_t x, std::uint32_t y) {

@@ -1,5 +1,5 @@
-// A room that is drawn once and kept compressed, and a teapot that flies through it: in each frame only the tiles that
-// the teapot leaves or reaches are drawn and sent to the OLED. Runs by itself; see host_control.hpp.
+// A room that is drawn once and stored compressed, and a teapot that flies through it: each frame draws and sends to
+// the OLED only the tiles that the teapot leaves or reaches. Runs without a host; see host_control.hpp.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -35,7 +35,7 @@ constexpr PlanResult kBackground = plan(count(kShowroomBackground), kView, kEffe
 constexpr PlanResult kMoving = plan(kShowroomTeapotCounts, kView, kEffects, {.strip_rows = 8});
 static_assert(kBackground.status && kMoving.status);
 
-constexpr std::uint32_t kCells = 16 * 64;  // of the largest rectangle that is drawn at once
+constexpr std::uint32_t kCells = 16 * 64;  // pixels of the largest rectangle that is drawn at once
 
 // The plans of both layers share the arena, one after the other.
 alignas(kArenaAlignment) std::array<std::byte, std::max(kBackground.plan.bytes(), kMoving.plan.bytes())> arena;
@@ -87,7 +87,7 @@ bool show_area(Panel& panel, const Rect& area) {
          succeeded("display", panel.wait());
 }
 
-/// `cells`: how many pixels were drawn and sent.
+/// `cells` becomes the number of pixels that were drawn and sent.
 bool show_frame(Panel& panel, std::uint32_t frame, std::uint32_t& cells) {
   const Instance instances[] = {showroom_teapot(frame, kFramesPerFlight)};
   const Scene moving = showroom_scene(instances);

@@ -11,16 +11,16 @@ namespace {
 
 using hal::Error;
 
-constexpr std::uint32_t kDataCommandPin = 1U << 7;              // of port C: high for data
-constexpr std::uint32_t kClockAndDataPins = 1U << 2 | 1U << 5;  // of port A
-constexpr std::uint32_t kPanelSelectPin = 1U << 3;              // of port A, low selects
-constexpr std::uint32_t kCardSelectPin = 1U << 0;               // of port D, low selects
+constexpr std::uint32_t kDataCommandPin = 1U << 7;              // on port C: high for data
+constexpr std::uint32_t kClockAndDataPins = 1U << 2 | 1U << 5;  // on port A
+constexpr std::uint32_t kPanelSelectPin = 1U << 3;              // on port A, low selects
+constexpr std::uint32_t kCardSelectPin = 1U << 0;               // on port D, low selects
 constexpr int kPolls = 20'000;                                  // at least five cycles each, at 50 MHz
 
 std::uint32_t status() { return register_at(chip::kSsi0 + chip::kSsiStatus); }
 
-/// The receiver runs along with the transmitter; what it gets is unused. No more than its FIFO holds: one that is
-/// never empty must not keep the program here.
+/// Discards received bytes: the receiver runs together with the transmitter. Reads at most as many as the FIFO holds,
+/// so that a FIFO which is never empty cannot stop the program.
 void drain_receiver() {
   constexpr int kFifo = 8;
   for (int word = 0; word < kFifo && (status() & chip::kSsiReceiveNotEmpty) != 0; ++word) {
@@ -28,7 +28,7 @@ void drain_receiver() {
   }
 }
 
-/// Until the masked status bits have this value.
+/// Waits until the masked status bits have this value.
 Error wait_for(std::uint32_t mask, std::uint32_t value) {
   for (int poll = 0; poll < kPolls; ++poll) {
     if ((status() & mask) == value) return Error::none;
@@ -36,7 +36,7 @@ Error wait_for(std::uint32_t mask, std::uint32_t value) {
   return Error::timeout;
 }
 
-/// D/C may change only when the last bit is out.
+/// Waits until the last bit is sent: D/C may change only then.
 Error finish() {
   const Error error = wait_for(chip::kSsiBusy, 0);
   drain_receiver();
@@ -73,7 +73,7 @@ void OledBus::start() {
       register_at(chip::kGpioA + chip::kGpioAlternate) | kClockAndDataPins;
   register_at(chip::kGpioA + chip::kGpioDigital) = register_at(chip::kGpioA + chip::kGpioDigital) | kClockAndDataPins;
 
-  register_at(chip::kSsi0 + chip::kSsiControl1) = 0;   // off and master while it is configured
+  register_at(chip::kSsi0 + chip::kSsiControl1) = 0;   // disabled, and master, during configuration
   register_at(chip::kSsi0 + chip::kSsiPrescale) = 14;  // 50 MHz / 14
   register_at(chip::kSsi0 + chip::kSsiControl0) = 7;   // 8 bits, SPI mode 0
   register_at(chip::kSsi0 + chip::kSsiControl1) = chip::kSsiOn;

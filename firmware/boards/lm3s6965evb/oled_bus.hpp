@@ -1,5 +1,5 @@
-// The wires to the board's OLED: SSI0 with PC7 as D/C, chip select on PA3, the SD card on the same wires (PD0) kept
-// off.
+// The wires to the board's OLED: SSI0, with PC7 as D/C and PA3 as chip select. The SD card on the same wires is kept
+// deselected (PD0).
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace zstrip::board {
 
-/// SPI mode 0, 8 bits, 3.6 MHz. Polled: everything has been sent when a function returns, so wait() has nothing to do.
-/// Error::timeout if the controller takes no byte for about 2 ms; the next transfer first waits as long for what was
-/// left.
+/// SPI mode 0, 8 bits, 3.6 MHz. Polled: all bytes have been sent when a function returns, so wait() has nothing to do.
+/// Error::timeout if the controller takes no byte for about 2 ms; the next transfer first waits as long for the
+/// remaining bytes.
 class OledBus {
  public:
-  /// To be called once, before anything else, with the clocks of the ports running.
+  /// Call it once, before any other function, when the clocks of the ports run.
   void start();
 
   hal::Error write_command(std::span<const std::byte> bytes);

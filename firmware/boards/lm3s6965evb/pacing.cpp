@@ -9,7 +9,7 @@ namespace zstrip::board {
 namespace {
 
 constexpr std::uint32_t kHertz = 50'000'000;
-constexpr std::uint32_t kSeconds = 2;  // of each of the watchdog's two rounds: the second one ends in a reset
+constexpr std::uint32_t kSeconds = 2;  // for each of the watchdog's two rounds; the second one ends in a reset
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void start_pacing() {
   [[maybe_unused]] const std::uint32_t settled = register_at(chip::kClockGating0);
   register_at(chip::kWatchdogLoad) = kSeconds * kHertz;
   register_at(chip::kWatchdogControl) = chip::kWatchdogReset;
-  register_at(chip::kWatchdogControl) = chip::kWatchdogReset | chip::kWatchdogInterrupt;  // which starts it
+  register_at(chip::kWatchdogControl) = chip::kWatchdogReset | chip::kWatchdogInterrupt;  // this starts the watchdog
 }
 
 void wait_for_tick() { wait_for_systick(); }

@@ -1,4 +1,4 @@
-// Your own scene on the board's OLED, with its animation or rotation: ZSTRIP_SCENE names its header.
+// Shows your own scene on the board's OLED, with its animation or rotation: ZSTRIP_SCENE names its header.
 #include "lm3s6965evb/show.hpp"
 #include "portable/baked_motion.hpp"
 

@@ -9,7 +9,7 @@ namespace zstrip::board {
 
 using Oled = hal::Ssd0323<OledBus>;
 
-/// Shows the motion for ever; the result is main's. The bus is polled: a second strip of pixels would not save time.
+/// Shows the motion for ever; main returns the result. The bus is polled: a second strip of pixels would save no time.
 template <class Motion, class Bus>
 int show_on_oled(Bus& bus) {
   bus.start();

@@ -1,8 +1,8 @@
 // Shows for tests how a board handles a stuck bus or a fault of its program. The program draws the teapot. Within a
-// frame its bus does what the console's byte selects: 't', the controller is off for one transfer; 'd', it stays off;
-// 'h', the bus never returns; 'f', it faults; 'o', it takes more stack than there is; 'g', it faults and never returns
-// afterwards; 's', it faults, and again while the panic is shown. Every case that can must end in a panic on the
-// panel. Every case must end in a reset by the watchdog, after which the program reads the next byte.
+// frame, the character from the console selects the fault: 't', the controller is off for one transfer; 'd', it stays
+// off; 'h', the bus never returns; 'f', the program faults; 'o', it uses more stack than there is; 'g', it faults and
+// never returns afterwards; 's', it faults, and again while the panic is shown. Every case that can must end in a panic
+// on the panel. Every case must end in a reset by the watchdog, after which the program reads the next character.
 #include "cortex_m/registers.hpp"
 #include "lm3s6965evb/chip.hpp"
 #include "lm3s6965evb/show.hpp"
@@ -13,12 +13,12 @@ namespace {
 
 using namespace zstrip;
 
-/// A controller that is off keeps what it is given, until its FIFO is full.
+/// Switches the controller on or off. While it is off it keeps the bytes that it gets, until its FIFO is full.
 void switch_controller(bool on) {
   board::register_at(board::chip::kSsi0 + board::chip::kSsiControl1) = on ? board::chip::kSsiOn : 0;
 }
 
-/// Until the stack ends, far below 2^32 levels.
+/// Recurses until the stack ends, far below 2^32 levels.
 [[gnu::noinline]] std::uint32_t overflow_stack(std::uint32_t depth) {
   volatile std::uint32_t frame[16];
   frame[depth % 16] = depth;
@@ -31,7 +31,7 @@ class StuckBus : public board::OledBus {
   explicit constexpr StuckBus(char fault) : fault_(fault) {}
 
   hal::Error write_data(std::span<const std::byte> bytes) {
-    constexpr int kGood = 200;  // the start, and some strips
+    constexpr int kGood = 200;  // transfers before the fault: the start, and some strips
     if (++writes_ == kGood) {
       while (fault_ == 'h') asm volatile("");
       if (fault_ == 'f' || fault_ == 'g' || fault_ == 's') asm volatile("udf #0");

@@ -25,8 +25,8 @@ constexpr std::uint32_t kUartReceiveData = 0x518;
 constexpr std::uint32_t kUartTransmitData = 0x51C;
 constexpr std::uint32_t kUartBaudRate = 0x524;
 
-// The processor starts on its RC oscillator, which is not exact enough for a UART. Without the crystal it goes on: a
-// console with a wrong baud rate is better than none.
+// The processor starts on its RC oscillator, which is not exact enough for a UART. If the crystal does not start, the
+// program continues: a console with a wrong baud rate is better than none.
 void start_crystal() {
   register_at(kCrystalStarted) = 0;
   register_at(kStartCrystal) = 1;
@@ -36,7 +36,7 @@ void start_crystal() {
 }
 
 void start_uart() {
-  constexpr std::uint32_t kPin = 24, kInput = 25;  // to and from the board's USB interface
+  constexpr std::uint32_t kPin = 24, kInput = 25;  // connected to the board's USB interface
   register_at(kSetLevelHigh) = 1U << kPin;
   register_at(kSetDirectionOut) = 1U << kPin;
   register_at(kUart + kUartTransmitPin) = kPin;

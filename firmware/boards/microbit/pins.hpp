@@ -8,7 +8,7 @@
 
 namespace zstrip::board {
 
-/// A pin that was made an output.
+/// A pin that is an output.
 template <unsigned number>
 struct Pin {
   hal::Error set(bool high) const {
@@ -22,7 +22,7 @@ struct Pin {
   }
 };
 
-// Where a panel is wired: the pads of the edge connector.
+// The panel's wires, with the pads of the edge connector.
 using PanelClock = Pin<23>;        // 13, SCK
 using PanelData = Pin<21>;         // 15, MOSI
 using PanelDataCommand = Pin<16>;  // 16

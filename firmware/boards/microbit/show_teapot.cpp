@@ -23,7 +23,7 @@ int main() {
   hal::BitBangedSpi bus(PanelClock{}, PanelData{}, PanelDataCommand{}, PanelSelect{});
   TimerClock clock;
   hal::St7789 panel(bus, clock);
-  if (bus.start() != hal::Error::none) return 1;  // pins cannot fail
+  if (bus.start() != hal::Error::none) return 1;  // setting pins cannot fail
   return run_on_panel<ScenePlayer<TurntableMotion<scenes::teapot_meshlets, kView, kBudget>>>(panel, PanelReset{},
                                                                                              clock);
 }

@@ -1,5 +1,5 @@
-// TIMER0 of the nRF51822, with interrupts masked: a masked one that is pending still ends WFI. Source: nRF51 series
-// reference manual, chapter 18. RTC0 would take less current, but counts 32768 Hz and is in no emulator.
+// TIMER0 of the nRF51822, with interrupts masked: a pending interrupt ends WFI also while it is masked. Source: nRF51
+// series reference manual, chapter 18. RTC0 would use less current, but counts at 32768 Hz, and no emulator has it.
 #include "microbit/timer.hpp"
 
 #include "cortex_m/registers.hpp"
@@ -16,7 +16,7 @@ constexpr std::uint32_t kCompare0 = 0x540, kCompare1 = 0x544;
 
 constexpr std::uint32_t kInterruptEnable = 0xE000E100, kInterruptClear = 0xE000E280, kTimerInterrupt = 1U << 8;
 
-constexpr std::uint32_t kFrameTime = 50'000;  // us; the bit-banged panel takes longer
+constexpr std::uint32_t kFrameTime = 50'000;  // us; sending to the bit-banged panel takes longer
 std::uint32_t next_tick = 0;
 
 std::uint32_t now() {
@@ -28,7 +28,7 @@ void sleep_until(std::uint32_t time) {
   register_at(kTimer + kCompared0) = 0;
   register_at(kInterruptClear) = kTimerInterrupt;
   register_at(kTimer + kCompare0) = time;
-  // The comparison is set before the time is looked at: what comes after that look is pending, and WFI returns.
+  // The comparison is set before the time is read: an event after that read is pending, so that WFI returns.
   while (static_cast<std::int32_t>(time - now()) > 0) asm volatile("wfi" ::: "memory");
 }
 
@@ -45,7 +45,7 @@ void start_timer() {
 
 void TimerClock::wait(std::uint32_t microseconds) { sleep_until(now() + microseconds + 1); }
 
-// The watchdog, chapter 24: counts 32768 Hz, also while the processor sleeps.
+// The watchdog, chapter 24: counts at 32768 Hz, also while the processor sleeps.
 void start_pacing() {
   constexpr std::uint32_t kWatchdog = 0x40010000, kWatchdogStart = 0x000;
   constexpr std::uint32_t kReloadValue = 0x504, kReloadEnable = 0x508, kConfig = 0x50C, kRunsInSleep = 1;

@@ -5,7 +5,7 @@
 
 namespace zstrip::board {
 
-/// Starts the timer. To be called once, before the others.
+/// Starts the timer. Call it once, before any other function.
 void start_timer();
 
 /// Fulfils hal::Clock; sleeps while it waits.

@@ -1,4 +1,4 @@
-// Reads the benchmark's words.
+// Reads the words of the benchmark's command line.
 #include "mps2/arguments.hpp"
 
 #include <cstddef>
@@ -6,18 +6,18 @@
 namespace zstrip::bench {
 namespace {
 
-using namespace std::literals;  // words that know their length: without optimisation for speed strlen would be called
+using namespace std::literals;  // literals that know their length: otherwise unoptimised code would call strlen
 
-/// Takes the part of `text` before `separator`, or all of it, off its front.
+/// Removes the part of `text` before `separator`, or all of it, and returns it.
 std::string_view take(std::string_view& text, char separator) {
-  std::size_t end = 0;  // not find(), which would need a C library
+  std::size_t end = 0;  // a loop, because find() would need a C library
   while (end < text.size() && text[end] != separator) ++end;
   const std::string_view part = text.substr(0, end);
   text.remove_prefix(end == text.size() ? end : end + 1);
   return part;
 }
 
-/// Decimal digits only; false if there are none or the value does not fit.
+/// Reads decimal digits. Returns false if there are none or the value does not fit.
 template <class Number>
 bool read_number(std::string_view digits, Number& number) {
   if (digits.empty() || digits.size() > 10) return false;

@@ -1,4 +1,4 @@
-// The benchmark: the workloads, whose names are those of the published comparison with other renderers.
+// The benchmark of the workloads, named as in the published comparison with other renderers.
 #include "mps2/bench_run.hpp"
 #include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/cube.hpp"

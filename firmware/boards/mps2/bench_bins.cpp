@@ -1,5 +1,4 @@
-// The benchmark with bins. A program of its own, so that functions are compiled as they are in firmware, which has one
-// pipeline.
+// The benchmark with bins. A separate program, so that functions are compiled as in firmware, which has one pipeline.
 #include "mps2/bench_run.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/knot.hpp"

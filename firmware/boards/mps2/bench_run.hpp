@@ -1,8 +1,8 @@
 // The common part of the benchmark programs: a program lists its workloads and calls run_bench. It runs frames of the
-// workload that the words of the command line choose and prints, as one line of JSON, how many instructions each took
-// and a checksum of its pixels. Counted are: posing the moving data in RAM, begin of the frame, clearing, drawing and
-// resolving; preparing the scene, the checksum and the printing are not. Exit status: 0 done, 2 the words are wrong, 5
-// too little memory, 1 anything else.
+// workload that the command line selects, and prints one line of JSON with the instructions of each frame and a
+// checksum of its pixels. Instructions are counted for posing the moving data in RAM, the begin of the frame, clearing,
+// drawing and resolving; not for preparing the scene, the checksum and printing. Exit status: 0 done, 2 wrong words, 5
+// too little memory, 1 any other error.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ using board::print_hex;
 
 enum ExitStatus : int { kDone = 0, kFailed = 1, kUsage = 2, kBudget = 5 };
 
-/// Holds the arena, and behind it the pixels of one strip.
+/// Holds the arena, followed by the pixels of one strip.
 alignas(zstrip::kArenaAlignment) inline std::byte memory[4'000'000];
 
 inline void print(std::string_view text) {
@@ -61,14 +61,14 @@ struct FrameResult {
   std::uint32_t crc32 = 0;
 };
 
-/// Returns the strip that is drawn after `drawn` others if two cores alternate: first those of the first core, then
-/// the rest.
+/// Returns the strip that is drawn after `drawn` others if two cores alternate: first all strips of the first core,
+/// then the others.
 constexpr std::uint16_t strip_in_turns(std::uint16_t drawn, std::uint16_t strips) {
   const int first = (strips + 1) / 2;
   return static_cast<std::uint16_t>(drawn < first ? 2 * drawn : 2 * (drawn - first) + 1);
 }
 
-/// `pose`: called first, and counted. `in_turns`: the order of the strips, of the checksum too.
+/// Calls `pose` first, and counts it. `in_turns`: the order of the strips, also for the checksum.
 template <class Renderer, class Pose>
 FrameResult run_frame(Renderer& renderer, const zstrip::scenes::Staged& staged, const zstrip::View& view,
                       const zstrip::Plan& plan, InstructionCounter& counter, const Pose& pose, bool in_turns = false) {
@@ -108,7 +108,7 @@ inline void print_configuration(const Arguments& arguments, const zstrip::Plan& 
   print_member("strip_pixel_bytes", plan.strip_pixel_bytes(view));
 }
 
-/// With effect::bins among the `more` effects plans are binned.
+/// Plans are binned if `more` contains effect::bins.
 template <const zstrip::scenes::BuiltIn& built_in, zstrip::Effects more = zstrip::Effects{}>
 int run(const Arguments& arguments) {
   constexpr zstrip::Effects kEffects = effects_of(built_in.scene, built_in.camera) | more;
@@ -136,7 +136,7 @@ int run(const Arguments& arguments) {
   std::uint64_t total = 0;
   for (std::uint32_t frame = 0; frame < arguments.frames; ++frame) {
     stage_workload(built_in, staged, arguments.first + frame);
-    // Not by its address: the analysis of stacks would have every function of this type called.
+    // Not called through a pointer: the stack analysis would assume calls of all functions of this type.
     const auto pose = [number = arguments.first + frame] {
       if constexpr (built_in.pose != nullptr) return built_in.pose(number);
       return zstrip::Status{};
@@ -164,7 +164,7 @@ int run(const Arguments& arguments) {
 
 struct Workload {
   std::string_view name;
-  std::string_view depth;  ///< how depth is kept
+  std::string_view depth;  ///< the depth format
   int (*run)(const Arguments&);
 };
 

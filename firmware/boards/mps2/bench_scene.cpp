@@ -1,5 +1,5 @@
-// The benchmark of a lit mesh that the emulator puts into the board's flash as a baked scene, turning as the workloads
-// that are built in: for models that come from a package. Prints what the other benchmark programs print.
+// The benchmark of a lit mesh in a baked scene that the emulator puts into the board's flash, for models from a
+// package. The mesh rotates like the built-in workloads. Prints the same lines as the other benchmark programs.
 #include "mps2/bench_run.hpp"
 #include "mps2/scene_in_flash.hpp"
 

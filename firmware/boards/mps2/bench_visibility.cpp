@@ -17,7 +17,7 @@ consteval Instance behind(double distance) {
   return instance;
 }
 
-/// Four knots, the farthest first: much of what is drawn is hidden later.
+/// Four knots, the farthest first: later ones hide much of the earlier ones.
 constexpr Instance kCrowdInstances[] = {behind(3), behind(2), behind(1), behind(0)};
 constexpr Scene kCrowdScene{.meshes = kKnotTexturedMesh,
                             .materials = kKnotTexturedMaterial,

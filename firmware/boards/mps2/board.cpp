@@ -1,4 +1,4 @@
-// Arm MPS2: the console on UART 0 (CMSDK), the end of the program through semihosting.
+// Arm MPS2: the console is UART 0 (CMSDK); the program ends through semihosting.
 #include "cortex_m/board.hpp"
 
 #include "cortex_m/registers.hpp"
@@ -8,11 +8,11 @@ namespace zstrip::board {
 namespace {
 
 #if ZSTRIP_MPS2_IMAGE == 547
-constexpr std::uint32_t kUart0 = 0x59303000;  // of AN547, secure; offset 0 is the data register
+constexpr std::uint32_t kUart0 = 0x59303000;  // in AN547, secure; offset 0 is the data register
 #elif ZSTRIP_MPS2_IMAGE == 505
-constexpr std::uint32_t kUart0 = 0x50200000;  // of AN505, secure
+constexpr std::uint32_t kUart0 = 0x50200000;  // in AN505, secure
 #else
-constexpr std::uint32_t kUart0 = 0x40004000;  // of AN385, AN386 and AN500
+constexpr std::uint32_t kUart0 = 0x40004000;  // in AN385, AN386 and AN500
 #endif
 constexpr std::uint32_t kUartState = 0x004;
 constexpr std::uint32_t kUartControl = 0x008;

@@ -7,20 +7,20 @@ namespace zstrip::board {
 namespace {
 
 #if ZSTRIP_MPS2_IMAGE == 547
-constexpr std::uint32_t kCounterControl = 0x58100000;  // of the system counter of AN547, secure
+constexpr std::uint32_t kCounterControl = 0x58100000;  // the system counter of AN547, secure
 constexpr std::uint32_t kCounterScale = kCounterControl + 0x010;
 constexpr std::uint32_t kCounterValue = 0x58101000;
 constexpr std::uint32_t kEnable = 1U << 0, kScaled = 1U << 2;
 
 void start_ticks() {
-  register_at(kCounterScale) = 0x1F400000;  // 31.25 in 8.24 bits: at 32 MHz one for each nanosecond
+  register_at(kCounterScale) = 0x1F400000;  // 31.25 in 8.24 bits: at 32 MHz one step for each nanosecond
   register_at(kCounterControl) = kEnable | kScaled;
 }
 
 std::uint32_t ticks_left() { return ~register_at(kCounterValue); }
 #else
 #if ZSTRIP_MPS2_IMAGE == 505
-constexpr std::uint32_t kTimer0 = 0x50000000;  // of AN505, secure; offset 0 is the control register
+constexpr std::uint32_t kTimer0 = 0x50000000;  // in AN505, secure; offset 0 is the control register
 #else
 constexpr std::uint32_t kTimer0 = 0x40000000;
 #endif

@@ -1,7 +1,7 @@
 // Counts executed instructions with CMSDK timer 0, in an emulator that lets every instruction take one nanosecond
-// (QEMU's -icount shift=0). The timer counts down at 25 MHz: one tick is 40 instructions; with the image AN505 at 20
-// MHz. AN547 has no such timer: its system counter of 32 MHz is scaled to a tick for each instruction. On riscv_virt
-// the processor counts them itself: a tick is one.
+// (QEMU's -icount shift=0). The timer counts down at 25 MHz, so that one tick is 40 instructions; with the image AN505
+// at 20 MHz. AN547 has no such timer: its system counter of 32 MHz is scaled to one tick for each instruction. On
+// riscv_virt the processor counts instructions, so that a tick is one instruction.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ inline constexpr std::uint32_t kInstructionsPerTick = 50;
 inline constexpr std::uint32_t kInstructionsPerTick = 40;
 #endif
 
-/// Starts the timer. Returns false if a loop of known length does not take the expected ticks (1 in 10,000 allowed):
-/// the emulator is another one, or it does not count instructions.
+/// Starts the timer. Returns false if a loop of known length does not take the expected ticks, within 1 in 10,000: it
+/// is another emulator, or it does not count instructions.
 bool start_instruction_counter();
 
-/// Sums up the ticks of the regions between resume() and pause(). What an empty region takes is measured on
-/// construction and subtracted from each; the sum over n regions is exact to about kInstructionsPerTick * sqrt(n)
-/// instructions.
+/// Adds up the ticks of the regions between resume() and pause(). The ticks of an empty region are measured on
+/// construction and subtracted from each region; the sum over n regions is exact to about kInstructionsPerTick *
+/// sqrt(n) instructions.
 class InstructionCounter {
  public:
   InstructionCounter();

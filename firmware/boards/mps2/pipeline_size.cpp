@@ -1,5 +1,4 @@
-// The pipeline that workload K5 needs, and nothing else: linked to be weighed (tests/instruction-budget), not to be
-// run.
+// The pipeline of workload K5 alone. It is linked to measure its size (tests/instruction-budget), not to run.
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
-// Measures one pipeline, that of ZSTRIP_EFFECTS, on a baked scene that the emulator put into the board's flash: prints
-// what the benchmark programs print, of one frame. A program of its own for each pipeline, so that functions are
-// compiled as they are in firmware, which has one.
+// Measures the pipeline of ZSTRIP_EFFECTS on a baked scene that the emulator put into the board's flash, and prints the
+// same lines as the benchmark programs for one frame. Each pipeline is a separate program, so that functions are
+// compiled as in firmware, which has one pipeline.
 #include "mps2/bench_run.hpp"
 #include "mps2/scene_in_flash.hpp"
 

@@ -1,4 +1,5 @@
-// The baked scene (.zsc) that the emulator puts into the board's flash: host-sim/bench/board_bench.cpp says where.
+// The baked scene (.zsc) that the emulator puts into the board's flash, at the address from
+// host-sim/bench/board_bench.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
-// Proves what the start-up code and the memory functions promise, on the board itself. The host's word selects what:
-// "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
-// where nothing is and "overflow" uses up the stack: both must end in a fault report; "return" and "fpu" go on after
-// one; "wait" takes a cycle of the clock; "kernel=" and the name of a contract of tests/kernels compares assembly with
-// its C++. Exit status: 0 all right, 1 something differs, 2 no such word.
+// Tests the start-up code and the memory functions on the board itself. A word from the host selects the test: "memory"
+// compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads an address
+// without memory and "overflow" uses up the stack: both must end in a fault report; "return" and "fpu" continue after a
+// fault; "wait" waits for one cycle of the clock; "kernel=" and the name of a contract of tests/kernels compares
+// assembly with its C++. Exit status: 0 passed, 1 a difference, 2 an unknown word.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +28,7 @@ using Buffer = std::array<unsigned char, kSize>;
 volatile std::uint32_t initialised = 0x12345678;
 volatile std::uint32_t zeroed;
 
-/// No two bytes near each other are equal.
+/// Returns a buffer in which bytes close to each other differ.
 Buffer pattern(unsigned seed) {
   Buffer buffer;
   for (std::size_t index = 0; index < kSize; ++index) buffer[index] = static_cast<unsigned char>(seed + 37 * index);
@@ -44,7 +44,7 @@ bool equal(const Buffer& a, const Buffer& b) {
 
 int sign(int value) { return (value > 0) - (value < 0); }
 
-/// All four functions for these offsets and this length against the definition, byte by byte.
+/// Compares all four functions for these offsets and this length with their definition, byte by byte.
 bool check(std::size_t to, std::size_t from, std::size_t length) {
   const Buffer before = pattern(1);
   const Buffer source = pattern(2);
@@ -126,7 +126,7 @@ int come_back() {
 
 int come_back_to_fpu() {
   if (!zstrip::board::mark_fault_return()) {
-    asm volatile("vmov s0, %0" ::"r"(1) : "s0", "memory");  // from now on frames have a place for FPU registers
+    asm volatile("vmov s0, %0" ::"r"(1) : "s0", "memory");  // from here on exception frames have room for FPU registers
     return read_nowhere();
   }
   const bool wrong = fp_writes_to_stack();
@@ -140,7 +140,7 @@ int come_back_to_fpu() {
 }
 #endif
 
-/// A clock so slow that the wait is one of its cycles.
+/// Waits with a clock so slow that the wait is one of its cycles.
 int wait_one_cycle() {
   zstrip::board::SysTickClock(1'000'000).wait(1);
   print("self-test: waited\n");
@@ -164,7 +164,7 @@ int come_back_and_fault() {
 int compare_kernel(const zstrip::kernels_test::Contract& contract) {
   const zstrip::kernels_test::Outcome outcome = contract.compare(contract.on_boards);
   print("self-test: ");
-  print(contract.name.data());  // a literal, as what differs
+  print(contract.name.data());  // the name is a literal, and so is `differs`
   if (!outcome.difference.empty()) {
     print(", case ");
     print_decimal(outcome.number);
@@ -179,7 +179,7 @@ int compare_kernel(const zstrip::kernels_test::Contract& contract) {
   return !contract.has_own || outcome.compared >= contract.least ? 0 : 1;
 }
 
-/// Exit status, as of main().
+/// Returns the exit status of main().
 int compare_kernel_named(std::string_view name) {
   for (const zstrip::kernels_test::Contract& contract : zstrip::kernels_test::contracts()) {
     if (name == contract.name) return compare_kernel(contract);

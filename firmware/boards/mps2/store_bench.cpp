@@ -1,6 +1,6 @@
-// Measures the stores on z-buffers and pictures of built-in scenes, and on noise: for each scene and kind of record one
-// line of JSON with how many tiles and cells there are of it, and how many instructions encoding and decoding take for
-// 100 cells. Exit status: 0 done, 1 anything else.
+// Measures the stores on z-buffers and pictures of built-in scenes, and on noise. Prints one line of JSON for each
+// scene and kind of record: the number of its tiles and cells, and the instructions for encoding and decoding 100
+// cells. Exit status: 0 done, 1 any error.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,9 +26,9 @@ using zstrip::board::print_decimal;
 
 constexpr zstrip::View kView{320, 240};
 constexpr std::uint32_t kFrames = 6;
-constexpr std::uint32_t kRepeats = 8;  // of one tile in a region, because the counter's ticks are coarse
+constexpr std::uint32_t kRepeats = 8;  // repeats of one tile in a region, because the counter's ticks are coarse
 
-/// Holds the arena, and behind it the pixels.
+/// Holds the arena, followed by the pixels.
 alignas(zstrip::kArenaAlignment) std::byte memory[4'000'000 - 65536];
 
 enum Kind : std::uint8_t {
@@ -65,7 +65,7 @@ Kind kind_of_colour(std::span<const std::byte> record, std::uint32_t area) {
 
 struct Measured {
   std::uint32_t tiles = 0, cells = 0, bytes = 0;
-  std::uint64_t encoding = 0, decoding = 0;  ///< instructions, kRepeats times
+  std::uint64_t encoding = 0, decoding = 0;  ///< instructions of kRepeats repeats
 };
 /// Results of each kind: for records that describe all cells, and for records with a cover.
 using Results = std::array<std::array<Measured, 2>, kKinds>;
@@ -128,7 +128,7 @@ void print_results(const char* name, const Results& results) {
   }
 }
 
-/// Each tile of a picture, whose rows are `stride` apart.
+/// Measures each tile of a picture, whose rows are `stride` apart.
 void measure_tiles(const zstrip::detail::TileCodec& codec, const std::uint16_t* cells, std::uint32_t stride,
                    const zstrip::TileGrid& grid, InstructionCounter& counter, Results& results) {
   for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
@@ -139,7 +139,7 @@ void measure_tiles(const zstrip::detail::TileCodec& codec, const std::uint16_t* 
   }
 }
 
-/// Noise, which no record but the cells themselves can hold.
+/// Measures noise, which only raw records can hold.
 void run_noise() {
   static std::array<std::uint16_t, 64 * zstrip::kTileCells> cells;
   std::uint32_t random = 1;

@@ -12,13 +12,13 @@ inline constexpr std::uint32_t kCrystalMegahertz = 25;
 // The console: D0 receives, D1 sends.
 using Console = stm32::Usart<0x40011400>;  // USART6, PC6 and PC7, AF8
 
-// The panel: D13 clock, D11 data (SPI2: PB13 and PB15, AF5), and lines of its own.
+// The panel: D13 clock, D11 data (SPI2: PB13 and PB15, AF5), and three more lines.
 inline constexpr std::uint32_t kPanelSpi = 0x40003800;
 using PanelSelect = Pin<stm32::set_reset_f4('B'), 10>;      // D10
 using PanelDataCommand = Pin<stm32::set_reset_f4('A'), 6>;  // D9
 using PanelReset = Pin<stm32::set_reset_f4('A'), 0>;        // D8
 
-/// Clocks and pins of the panel's SPI.
+/// Enables the clocks and sets the pins of the panel's SPI.
 void start_panel_pins();
 
 }  // namespace zstrip::board

@@ -1,4 +1,4 @@
-// Three: a small one for what most models are, and all effects with each projection.
+// Three pipelines: a small one for most models, and one with all effects for each projection.
 #include "pico/baked_pipelines.hpp"
 
 #include "zstrip/frame/make_rows.hpp"
@@ -10,7 +10,7 @@ constexpr Effects kTriangles =
     effect::lighting | effect::vertex_colours | effect::gouraud | effect::textures | effect::bins;
 constexpr Effects kAnything = without(detail::kEverything, effect::statistics);
 
-/// Layers are not drawn.
+/// draw_over is not used.
 template <Effects effects>
 constexpr detail::PipelineRow row() {
   return {effects, {&detail::begin_frame<effects>, &detail::draw_strip<effects>, nullptr}};
@@ -22,7 +22,7 @@ constexpr detail::PipelineRow kRows[] = {row<kTriangles>(), row<kAnything>(), ro
 
 DrawnWith drawn_with_baked(Effects called_for) {
   Effects wanted = without_shades(called_for);
-  // Without perspective, or without textures, all of them draw the same.
+  // Without perspective, or without textures, these effects change no pixel.
   if (wanted.has(effect::orthographic) || !wanted.has(effect::textures)) {
     wanted = without(wanted, effect::perspective_runs);
   }

@@ -5,8 +5,8 @@
 
 namespace zstrip::board {
 
-/// For Player's constructor: what draws any scene, with either projection, that keeps depth as z16 and textures with
-/// the usual accuracy. What was baked with other settings is named as missing.
+/// For Player's constructor: returns a pipeline for any scene with either projection that keeps depth as z16 and
+/// textures with the default accuracy. Other settings of a baked scene are reported as missing.
 DrawnWith drawn_with_baked(Effects called_for);
 
 }  // namespace zstrip::board

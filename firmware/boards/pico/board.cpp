@@ -14,7 +14,7 @@ namespace {
 using namespace chip;
 using Uart = Pl011<kUart0>;
 
-/// A board whose crystal or PLL does not start cannot even speak.
+/// Waits for bits of a register. A board whose crystal or PLL does not start cannot even report it.
 void wait_until(std::uint32_t address, std::uint32_t bits) {
   constexpr int kPolls = 1'000'000;
   for (int poll = 0; poll < kPolls; ++poll) {
@@ -28,7 +28,8 @@ void leave_reset(std::uint32_t subsystems) {
   wait_until(kResetDone, subsystems);
 }
 
-// 12 MHz * 125 = 1500 MHz, by 2 and by 6 or 5: 125 or 150 MHz. The order is that of 2.18.2 of the RP2040's.
+// 12 MHz * 125 = 1500 MHz, divided by 2 and by 6 or 5: 125 or 150 MHz. The order is that of the RP2040 data sheet,
+// 2.18.2.
 constexpr std::uint32_t kFeedback = 125, kSecondDivider = 2;
 constexpr std::uint32_t kFirstDivider = 12'000'000 * kFeedback / kSecondDivider / kHertz;
 static_assert(kHertz * kFirstDivider * kSecondDivider == 12'000'000 * kFeedback);
@@ -37,7 +38,7 @@ static_assert(kFirstDivider <= 7 && kFirstDivider >= kSecondDivider);
 void start_pll() {
   set_bits(kReset, kResetPllSys);
   leave_reset(kResetPllSys);
-  register_at(kPllControl) = 1;  // the reference is not divided
+  register_at(kPllControl) = 1;  // the reference clock is not divided
   register_at(kPllFeedback) = kFeedback;
   clear_bits(kPllPower, kPllPowerDown | kPllVcoDown);
   wait_until(kPllControl, kPllLocked);
@@ -45,24 +46,24 @@ void start_pll() {
   clear_bits(kPllPower, kPllPostDividersDown);
 }
 
-// After a reset by the watchdog the system may still run from the PLL: first back to what always runs.
+// After a reset by the watchdog the system may still run from the PLL: first switches to the clock that always runs.
 void start_clocks() {
   clear_bits(kSystemControl, kSystemFromAuxiliary);
   wait_until(kSystemSelected, 1U << 0);
-  constexpr std::uint32_t kMillisecond = 47;  // of 256 cycles
+  constexpr std::uint32_t kMillisecond = 47;  // in units of 256 cycles
   register_at(kCrystalStartup) = kMillisecond;
   register_at(kCrystalControl) = kCrystalEnable;
   wait_until(kCrystalStatus, kCrystalStable);
   register_at(kReferenceControl) = kReferenceFromCrystal;
   wait_until(kReferenceSelected, 1U << kReferenceFromCrystal);
   start_pll();
-  register_at(kSystemControl) = 0;  // the auxiliary source is the PLL, before it is chosen
+  register_at(kSystemControl) = 0;  // the auxiliary source becomes the PLL before it is selected
   set_bits(kSystemControl, kSystemFromAuxiliary);
   wait_until(kSystemSelected, 1U << kSystemFromAuxiliary);
   register_at(kPeripheralControl) = kPeripheralEnable;
 }
 
-// 115200 baud: kHertz / (16 * 115200), in 64ths.
+// 115200 baud: kHertz / (16 * 115200), in 1/64.
 constexpr std::uint32_t kBaudDivisor = kHertz / (16 * 115200 / 64);
 
 void start_uart() {

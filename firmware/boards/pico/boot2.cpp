@@ -1,9 +1,9 @@
 // The second boot stage: the boot ROM copies the first 256 bytes of the flash to the end of the RAM, checks their CRC
-// and jumps to them. They have the flash read in place by four lines, as the Pico's Winbond W25Q16JV and most of its
-// relatives can, and start the program. Sources: RP2040 data sheet, 2.8.1 (boot sequence), 2.19 (pads), 4.10 (SSI);
-// W25Q16JV data sheet, 7.1 (status registers), 8.2 (instructions).
+// and jumps to them. They make the flash readable in place over four lines, which the Pico's Winbond W25Q16JV and most
+// similar chips support, and start the program. Sources: RP2040 data sheet, 2.8.1 (boot sequence), 2.19 (pads), 4.10
+// (SSI); W25Q16JV data sheet, 7.1 (status registers), 8.2 (instructions).
 //
-// Machine code, put together by the compiler: its checksum is then reckoned by it, too.
+// The compiler assembles the machine code, so that it can also compute its checksum.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +15,8 @@ constexpr std::size_t kBytes = 256, kCheckedBytes = 252;
 enum Register : std::uint16_t { r0, r1, r2, r3, r4 };
 enum class If : std::uint16_t { zero = 0xD000, not_zero = 0xD100, negative = 0xD400 };
 
-/// The few Thumb instructions that are used (Armv6-M architecture reference manual, A6.7), and the constants behind
-/// them. Addresses are halfwords from the beginning.
+/// Assembles the few Thumb instructions that are used (Armv6-M architecture reference manual, A6.7), and the constants
+/// after them. Addresses are in halfwords from the begin.
 class Assembler {
  public:
   consteval explicit Assembler(unsigned first_constant) : first_constant_(first_constant) {}
@@ -40,7 +40,7 @@ class Assembler {
   consteval void set_main_stack(Register from) { put(0xF380U | from), put(0x8808); }
   consteval void load_constant(Register to, std::uint32_t value) {
     constants_[constants_in_use_] = value;
-    // The processor adds to its own address, plus 4, rounded down to words.
+    // The processor adds the offset to the instruction's address plus 4, rounded down to words.
     put(0x4800U | unsigned{to} << 8 | (first_constant_ / 2 + constants_in_use_++ - (length_ + 2) / 2));
   }
   consteval void branch(If condition, unsigned target) {
@@ -52,7 +52,7 @@ class Assembler {
   }
 
   consteval unsigned here() const { return length_; }
-  /// Where constants can begin.
+  /// Returns the halfword at which constants can begin.
   consteval unsigned end_of_code() const { return (length_ + 1) / 2 * 2; }
   consteval std::array<std::uint8_t, kCheckedBytes> bytes() const {
     std::array<std::uint8_t, kCheckedBytes> all{};
@@ -75,7 +75,7 @@ class Assembler {
   unsigned first_constant_;
 };
 
-constexpr std::uint32_t kPads = 0x40020000;  // of the flash, 2.19.6.4
+constexpr std::uint32_t kPads = 0x40020000;  // pads of the flash, 2.19.6.4
 constexpr unsigned kClockPad = 0x04, kFirstDataPad = 0x08, kLastDataPad = 0x14;
 constexpr unsigned kFastBy8Milliamperes = 2U << 4 | 1, kSchmittTrigger = 2;
 
@@ -83,15 +83,15 @@ constexpr std::uint32_t kSsi = 0x18000000;  // 4.10.13
 constexpr unsigned kControl0 = 0x00, kControl1 = 0x04, kEnable = 0x08, kBaudRate = 0x14, kStatus = 0x28, kData = 0x60;
 constexpr std::uint32_t kSampleDelay = kSsi + 0xF0, kSpiControl0 = kSsi + 0xF4;
 constexpr unsigned kBusy = 1, kAllSent = 4;
-constexpr unsigned kClockBy2 = 2;  // 62.5 MHz of 125
+constexpr unsigned kClockBy2 = 2;  // 125 MHz divided to 62.5 MHz
 constexpr std::uint32_t kBytesBothWays = 7U << 16;
-// Frames of 32 bits by four lines, "EEPROM read": a command and an address, then data for as long as it is clocked.
+// Frames of 32 bits over four lines, "EEPROM read": a command and an address, then data as long as the clock runs.
 constexpr std::uint32_t kReadFrames = 2U << 21 | 31U << 16 | 3U << 8;
-// 24 bits of address and 8 that the flash calls mode, by four lines; then 4 clocks of waiting. The first time behind a
-// command of 8 bits by one line.
+// 24 bits of address and 8 bits that the flash calls mode, over four lines; then 4 wait cycles. The first read has a
+// command of 8 bits over one line before them.
 constexpr std::uint32_t kAddressAndMode = 4U << 11 | (32U / 4) << 2;
 constexpr std::uint32_t kCommandFirst = kAddressAndMode | 2U << 8 | 1;
-constexpr unsigned kReadByFour = 0xEB, kReadOn = 0xA0;  // the mode: the next read has no command
+constexpr unsigned kReadByFour = 0xEB, kReadOn = 0xA0;  // this mode: the next read has no command
 constexpr std::uint32_t kNoCommand = kAddressAndMode | std::uint32_t{kReadOn} << 24 | 2;
 
 // Commands and status bits of the flash.
@@ -101,25 +101,25 @@ constexpr unsigned kWriting = 1, kFourLines = 2;  // bits of status 1 and 2
 constexpr std::uint32_t kVectorTableOffset = 0xE000ED08;  // VTOR
 constexpr std::uint32_t kProgram = 0x10000100;
 
-/// Places that are known when all is written.
+/// Addresses that are known only after the whole code is written.
 struct Places {
   unsigned read_status = 0, wait = 0, by_four_lines = 0, first_constant = 0;
 };
 
-/// r3 is the SSI from the first use on.
+/// Writes the stage. From its first use on r3 holds the SSI.
 consteval Places write_stage(Assembler& a, const Places& places) {
   Places found;
   a.load_constant(r3, kPads);
   a.move(r0, kFastBy8Milliamperes);
   a.store(r0, r3, kClockPad);
   a.load(r0, r3, kFirstDataPad);
-  a.move(r1, kSchmittTrigger);  // its delay is too long for the fast clock
+  a.move(r1, kSchmittTrigger);  // the Schmitt trigger's delay is too long for the fast clock
   a.clear_bits(r0, r1);
   for (unsigned pad = kFirstDataPad; pad <= kLastDataPad; pad += 4) a.store(r0, r3, pad);
 
   a.load_constant(r3, kSsi);
   a.move(r1, 0);
-  a.store(r1, r3, kEnable);  // off while it is set up
+  a.store(r1, r3, kEnable);  // disabled during set-up
   a.move(r1, kClockBy2);
   a.store(r1, r3, kBaudRate);
   a.load_constant(r2, kSampleDelay);
@@ -130,7 +130,7 @@ consteval Places write_stage(Assembler& a, const Places& places) {
   a.move(r1, 1);
   a.store(r1, r3, kEnable);
 
-  // Four lines have to be allowed once: the flash keeps it.
+  // Four lines must be enabled once: the flash keeps the setting.
   a.move(r0, kReadStatus2);
   a.call(places.read_status);
   static_assert(kFourLines == 1U << 1);
@@ -155,11 +155,11 @@ consteval Places write_stage(Assembler& a, const Places& places) {
   a.test(r0, r1);
   a.branch(If::not_zero, still_writes);
 
-  // One read with a command, which says that none follows.
+  // One read with a command, whose mode says that no command follows.
   found.by_four_lines = a.here();
   a.move(r1, 0);
   a.store(r1, r3, kEnable);
-  a.store(r1, r3, kControl1);  // one frame of data an access
+  a.store(r1, r3, kControl1);  // one frame of data for each access
   a.load_constant(r1, kReadFrames);
   a.store(r1, r3, kControl0);
   a.load_constant(r0, kSpiControl0);
@@ -170,7 +170,7 @@ consteval Places write_stage(Assembler& a, const Places& places) {
   a.move(r1, kReadByFour);
   a.store(r1, r3, kData);
   a.move(r1, kReadOn);
-  a.store(r1, r3, kData);  // of address 0
+  a.store(r1, r3, kData);  // read from address 0
   a.call(places.wait);
   a.move(r1, 0);
   a.store(r1, r3, kEnable);
@@ -179,16 +179,16 @@ consteval Places write_stage(Assembler& a, const Places& places) {
   a.move(r1, 1);
   a.store(r1, r3, kEnable);
 
-  a.load_constant(r2, kProgram);  // its vector table
+  a.load_constant(r2, kProgram);  // vector table of the program
   a.load_constant(r1, kVectorTableOffset);
   a.store(r2, r1, 0);
-  // The first two entries are the stack and where to begin.
+  // Its first two entries are the stack pointer and the entry point.
   a.load(r0, r2, 0);
   a.load(r1, r2, 4);
   a.set_main_stack(r0);
   a.jump(r1);
 
-  // The status that the command in r0 reads, into r0. Takes r1, r2 and r4.
+  // Reads the status that the command in r0 selects into r0. Changes r1, r2 and r4.
   found.read_status = a.here();
   a.keep_caller(r4);
   a.store(r0, r3, kData);
@@ -198,7 +198,7 @@ consteval Places write_stage(Assembler& a, const Places& places) {
   a.load(r0, r3, kData);
   a.jump(r4);
 
-  // Until all is sent and the flash no longer selected. Takes r1 and r2.
+  // Waits until all bits are sent and the flash is deselected. Changes r1 and r2.
   found.wait = a.here();
   a.load(r1, r3, kStatus);
   a.move(r2, kAllSent);
@@ -220,7 +220,7 @@ consteval std::array<std::uint8_t, kCheckedBytes> code_and_constants() {
   return second_pass.bytes();
 }
 
-/// CRC-32 with the polynomial 04C11DB7, highest bit first, from all ones, not inverted (2.8.1.3.1).
+/// Returns the CRC-32 with the polynomial 04C11DB7, highest bit first, from all ones, not inverted (2.8.1.3.1).
 consteval std::uint32_t checksum(const std::array<std::uint8_t, kCheckedBytes>& bytes) {
   std::uint32_t remainder = 0xFFFFFFFF;
   for (const std::uint8_t byte : bytes) {

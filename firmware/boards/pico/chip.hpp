@@ -1,5 +1,5 @@
-// The board's chip, RP2040 or RP2350, by the processor that is compiled for; and what both have. Source: their data
-// sheets, chapters of that of the RP2040.
+// Selects the board's chip, RP2040 or RP2350, by the target processor, and defines what both share. Source: their data
+// sheets; chapter numbers are those of the RP2040's.
 #pragma once
 
 #if defined(__ARM_ARCH_8M_MAIN__)
@@ -20,7 +20,7 @@ using namespace rp2040;
 inline void set_bits(std::uint32_t address, std::uint32_t bits) { register_at(address + 0x2000) = bits; }
 inline void clear_bits(std::uint32_t address, std::uint32_t bits) { register_at(address + 0x3000) = bits; }
 
-// 4.4, SPI (PL022), from the first of its registers
+// 4.4, SPI (PL022), offsets from its first register
 inline constexpr std::uint32_t kSpiControl0 = 0x000, kSpiControl1 = 0x004, kSpiData = 0x008, kSpiStatus = 0x00C;
 inline constexpr std::uint32_t kSpiPrescale = 0x010, kSpiDma = 0x024, kSpiTransmitByDma = 1U << 1;
 inline constexpr std::uint32_t kSpiTransmitNotFull = 1U << 1, kSpiReceiveNotEmpty = 1U << 2, kSpiBusy = 1U << 4;

@@ -7,19 +7,19 @@
 namespace zstrip::pico {
 
 inline constexpr std::uint32_t kFlash = 0x10000000;
-inline constexpr std::uint32_t kPage = 256;     // which is programmed at once
-inline constexpr std::uint32_t kSector = 4096;  // which is erased at once
+inline constexpr std::uint32_t kPage = 256;     // programmed at once
+inline constexpr std::uint32_t kSector = 4096;  // erased at once
 
-/// The program has the first megabyte of the flash, the scene what follows: the program may grow in any release without
-/// moving it, and sectors are whole, so that the boot loader replaces one and leaves the other.
+/// The program has the first megabyte of the flash, the scene the rest: the program may grow in later releases without
+/// moving the scene. Sectors are not shared, so that the boot loader can replace one part and leave the other.
 inline constexpr std::uint32_t kScene = kFlash + (1 << 20);
 static_assert((kScene - kFlash) % kSector == 0);
 
-/// Side of the panel that the scene is baked for, in pixels.
+/// The side of the panel for which the scene is baked, in pixels.
 inline constexpr std::uint16_t kPanelSide = 240;
 
-/// Rows of a strip, if a plan with so many fits: three strips, so that the bus has little to send before the first one
-/// is drawn and after the last one. More strips make scenes of many triangles slower.
+/// The rows of a strip, if a plan with so many fits: three strips, so that the bus has little to send before the first
+/// one is drawn and after the last one. More strips make scenes with many triangles slower.
 inline constexpr std::uint16_t kStripRows = 80;
 
 /// `zstrip bake` finds this text in a program that reads scenes of this version from this address. It is part of the
@@ -31,13 +31,13 @@ static_assert(kScene == 0x10100000);
 /// A board with its player, the program that shows a scene.
 struct Board {
   const char* name;    ///< for options
-  const char* called;  ///< in sentences
+  const char* called;  ///< used in sentences
   const char* chip;
-  std::uint32_t family;  ///< of the chip, in .uf2 files
+  std::uint32_t family;  ///< family of the chip, in .uf2 files
   std::uint32_t flash_bytes;
   const char* player;           ///< the program's name
-  std::uint32_t player_memory;  ///< what it has of the RAM for all that is not in flash
-  const char* no_scene;         ///< what it shows then
+  std::uint32_t player_memory;  ///< bytes of RAM that it has for data that is not in flash
+  const char* no_scene;         ///< the message that it then shows
 
   constexpr std::uint32_t scene_bytes() const { return kFlash + flash_bytes - kScene; }
 };
@@ -53,8 +53,8 @@ inline constexpr Board kPico{.name = "pico",
                              .player = "zstrip_pico_player",
                              .player_memory = 248 * 1024,
                              .no_scene = ZSTRIP_PICO_NO_SCENE("")};
-/// A board whose player has hot code in RAM, and `bytes` less for a scene: what that code takes, and some KB in which
-/// it may grow.
+/// Returns a board whose player has hot code in RAM. The scene has `bytes` less, for that code and some KB in which it
+/// may grow.
 constexpr Board with_hot_code(Board board, const char* name, const char* player, std::uint32_t bytes,
                               const char* no_scene) {
   board.name = name, board.player = player, board.no_scene = no_scene;

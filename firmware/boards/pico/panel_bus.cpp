@@ -21,7 +21,7 @@ Error wait_for(std::uint32_t mask, std::uint32_t value) {
   return Error::timeout;
 }
 
-/// The receiver runs along with the transmitter; what it gets is unused.
+/// Discards received bytes: the receiver runs together with the transmitter.
 void drain_receiver() {
   constexpr int kFifo = 8;
   for (int word = 0; word < kFifo && (register_at(kSpi0 + kSpiStatus) & kSpiReceiveNotEmpty) != 0; ++word) {
@@ -29,7 +29,7 @@ void drain_receiver() {
   }
 }
 
-// Off and on again empties it.
+// Disabling and enabling the controller empties it.
 void configure_spi() {
   register_at(kSpi0 + kSpiControl1) = 0;
   register_at(kSpi0 + kSpiDma) = 0;
@@ -38,7 +38,7 @@ void configure_spi() {
   register_at(kSpi0 + kSpiControl1) = 2;  // on, as master
 }
 
-// A channel that has stopped clears the bit (2.5.5.3), and is no longer busy.
+// A channel that has stopped clears the bit (2.5.5.3) and is no longer busy.
 bool stop_dma() {
   disable_dma();
   register_at(kDmaAbort) = 1U << 0;
@@ -48,7 +48,7 @@ bool stop_dma() {
   return false;
 }
 
-/// The first error is the one reported. D/C and select may change only when the last bit is out.
+/// Reports only the first error. D/C and select may change only after the last bit is sent.
 Error end_transfer(Error error) {
   if (error == Error::none) error = wait_for(kSpiBusy, 0);
   if (error == Error::none) {
@@ -101,10 +101,10 @@ Error PanelBus::write_data(std::span<const std::byte> bytes) {
   register_at(kDmaRead) = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes.data()));
   register_at(kDmaWrite) = kSpi0 + kSpiData;
   register_at(kDmaCount) = static_cast<std::uint32_t>(bytes.size());
-  // The drawn pixels must be in the memory before the channel reads it. The channel chains to itself: no chaining.
+  // Drawn pixels must be in memory before the channel reads them. A channel that chains to itself does not chain.
   asm volatile("dsb" ::: "memory");
   register_at(kDmaControl) =
-      kDmaFaults | kDmaAtSpi0Pace | kDmaIncrementRead | kDmaEnable;  // faults are cleared by ones
+      kDmaFaults | kDmaAtSpi0Pace | kDmaIncrementRead | kDmaEnable;  // writing ones clears the faults
   polls_left_ = kPolls + kPollsPerByte * static_cast<std::uint32_t>(bytes.size());
   sending_ = true;
   return Error::none;

@@ -10,10 +10,10 @@
 namespace zstrip::board {
 
 /// SPI mode 0, 8 bits, 12.5 MHz; pins as in pins.hpp. Commands are polled. wait() gives up after about twice the time
-/// that the bytes take; after any error the panel is deselected and the controller empty.
+/// of the transfer; after any error the panel is deselected and the controller is empty.
 class PanelBus {
  public:
-  /// To be called once, before anything else.
+  /// Call it once, before any other function.
   void start();
 
   hal::Error write_command(std::span<const std::byte> bytes);

@@ -1,4 +1,4 @@
-// Wiring of the Raspberry Pi Pico and Pico 2, by the numbers GPn on their pinouts.
+// The wiring of the Raspberry Pi Pico and Pico 2; numbers are the GPn of their pinouts.
 #pragma once
 
 #include "pico/chip.hpp"
@@ -8,14 +8,14 @@ namespace zstrip::board {
 
 inline constexpr std::uint32_t kHertz = chip::hertz();
 
-/// A pin that was made an output.
+/// A pin that is an output.
 template <unsigned number>
 struct Pin {
   hal::Error set(bool high) const {
     register_at(high ? chip::kPinsSet : chip::kPinsClear) = 1U << number;
     return hal::Error::none;
   }
-  /// With this level from the beginning: a line that falls and rises again at once is a pulse.
+  /// Sets the level first: a line that falls and rises again at once is a pulse.
   static void make_output(bool high) {
     register_at(high ? chip::kPinsSet : chip::kPinsClear) = 1U << number;
     register_at(chip::kPinsEnableOutput) = 1U << number;
@@ -24,7 +24,7 @@ struct Pin {
   }
 };
 
-// The console: GP0 sends, GP1 receives. The panel: GP18 clock, GP19 data (SPI0), and lines of its own.
+// The console: GP0 sends, GP1 receives. The panel: GP18 clock, GP19 data (SPI0), and the lines below.
 using PanelSelect = Pin<17>;
 using PanelDataCommand = Pin<20>;
 using PanelReset = Pin<21>;

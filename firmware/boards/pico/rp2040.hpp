@@ -1,5 +1,5 @@
-// The RP2040 of the Raspberry Pi Pico: registers that the board uses, and what is not done as on an RP2350. Source:
-// RP2040 data sheet, chapters as named.
+// The RP2040 of the Raspberry Pi Pico: registers that the board uses, and functions that differ from the RP2350's.
+// Source: RP2040 data sheet; the comments give its chapters.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ inline constexpr std::uint32_t kCrystalEnable = 0xFABU << 12 | 0xAA0, kCrystalSt
 inline constexpr std::uint32_t kReferenceControl = 0x40008030, kReferenceSelected = 0x40008038;
 inline constexpr std::uint32_t kReferenceFromCrystal = 2;
 inline constexpr std::uint32_t kSystemControl = 0x4000803C, kSystemSelected = 0x40008044;
-inline constexpr std::uint32_t kSystemFromAuxiliary = 1;  // which is the PLL, field 0 of bits 7..5
-inline constexpr std::uint32_t kPeripheralControl = 0x40008048, kPeripheralEnable = 1U << 11;  // of the system's clock
+inline constexpr std::uint32_t kSystemFromAuxiliary = 1;  // the auxiliary source is the PLL, field 0 of bits 7..5
+inline constexpr std::uint32_t kPeripheralControl = 0x40008048, kPeripheralEnable = 1U << 11;  // system clock
 
 // 2.18, system PLL
 inline constexpr std::uint32_t kPllControl = 0x40028000, kPllPower = 0x40028004, kPllFeedback = 0x40028008;
@@ -39,7 +39,7 @@ inline constexpr std::uint32_t kAllButOscillators = 0x1FFFC;
 inline constexpr std::uint32_t kWatchdogControl = 0x40058000, kWatchdogLoad = 0x40058004, kWatchdogTick = 0x4005802C;
 inline constexpr std::uint32_t kWatchdogEnable = 1U << 30, kTickEnable = 1U << 9;
 
-// 4.6, timer: microseconds of the watchdog's tick. Reading the lower word keeps the upper one that belongs to it.
+// 4.6, timer: counts the watchdog's ticks, microseconds. Reading the lower word latches the upper one.
 inline constexpr std::uint32_t kTimerUpper = 0x40054008, kTimerLower = 0x4005400C;
 
 // 2.19, GPIO; 2.3.1, single-cycle IO
@@ -55,28 +55,28 @@ inline constexpr std::uint32_t kSpi0 = 0x4003C000;
 
 // 2.5, DMA: channel 0
 inline constexpr std::uint32_t kDmaRead = 0x50000000, kDmaWrite = 0x50000004, kDmaCount = 0x50000008;
-inline constexpr std::uint32_t kDmaControl = 0x5000000C;  // which triggers it
+inline constexpr std::uint32_t kDmaControl = 0x5000000C;  // writing it starts the channel
 inline constexpr std::uint32_t kDmaEnable = 1U << 0, kDmaIncrementRead = 1U << 4;
 inline constexpr std::uint32_t kDmaAtSpi0Pace = 16U << 15;  // DREQ_SPI0_TX, 2.5.3.1
 inline constexpr std::uint32_t kDmaBusy = 1U << 24, kDmaFaults = 3U << 29;
 inline constexpr std::uint32_t kDmaAbort = 0x50000444;
 
-/// Clock of the processor and the peripherals.
+/// Returns the clock of the processor and the peripherals.
 constexpr std::uint32_t hertz() { return 125'000'000; }
 
 constexpr const pico::Board& board() { return pico::kPico; }
 constexpr const pico::Board& hot_board() { return pico::kPicoHot; }
 
-/// The watchdog counts down by two a microsecond (RP2040-E1), so that 24 bits are 8.3 s.
+/// The watchdog counts down by two each microsecond (RP2040-E1), so that 24 bits are 8.3 s.
 constexpr std::uint32_t watchdog_counts_per_second() { return 2'000'000; }
 
-/// A tick each microsecond, of the crystal, for watchdog and timer.
+/// Starts a tick each microsecond from the crystal, for watchdog and timer.
 inline void start_ticks() { register_at(kWatchdogTick) = kTickEnable | 12; }
 
 /// Does nothing: the timer counts the watchdog's ticks.
 inline void start_timer_tick() {}
 
-// Pads are connected and take input after a reset.
+// After a reset, pads are connected and their inputs are enabled.
 inline void connect_output(unsigned) {}
 inline void connect_input(unsigned) {}
 

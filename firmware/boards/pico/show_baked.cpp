@@ -1,5 +1,5 @@
-// Shows the baked scene that lies in the flash beside the program (flash_map.hpp), on the panel of show_teapot.cpp. The
-// scene may be anything: all of it is checked first.
+// Shows the baked scene that lies in the flash after the program (flash_map.hpp), on the panel of show_teapot.cpp. Any
+// bytes are safe: the scene is checked first.
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -31,14 +31,14 @@ constexpr const pico::Board& kBoard = chip::board();
 alignas(kArenaAlignment) constinit std::array<std::byte, kBoard.player_memory> memory{};
 constinit Player player(memory, &drawn_with_baked);
 
-/// As many bytes as the scene says that it has; the flash's if it says more, which is an error then.
+/// Returns the bytes that the scene claims to have, at most those of the flash; too many are an error later.
 std::size_t scene_bytes(const void* scene) {
   std::uint32_t bytes = 0;
   std::memcpy(&bytes, static_cast<const std::byte*>(scene) + offsetof(blob_layout::Header, bytes), sizeof bytes);
   return bytes < kBoard.scene_bytes() ? bytes : kBoard.scene_bytes();
 }
 
-/// Feeds the watchdog with each strip that was shown: frames of any scene may take longer than the watchdog's time.
+/// Feeds the watchdog with each strip, because frames of any scene may take longer than the watchdog's time.
 class FedPanel : public hal::St7789<PanelBus, SysTickClock> {
  public:
   using St7789::St7789;
@@ -49,7 +49,7 @@ class FedPanel : public hal::St7789<PanelBus, SysTickClock> {
   }
 };
 
-/// The motion in real time; where a host steps through it, in as many frames as those of a turntable.
+/// The motion in real time. A host that steps through it gets as many frames as on a turntable.
 class BakedShow {
  public:
   static constexpr std::size_t kMaxWords = 240;
@@ -71,7 +71,7 @@ class BakedShow {
       wait_for_tick();
       player.play(milliseconds());
       control.frame_shown(frame);
-      // The time that a host has paused it does not count.
+      // The time while a host paused the frames does not count.
       player.hold(true);
       player.play(milliseconds());
       player.hold(false);

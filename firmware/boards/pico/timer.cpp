@@ -1,4 +1,4 @@
-// The timer counts as soon as it is out of its reset and ticks.
+// The timer counts as soon as its reset is released and it gets ticks.
 #include "pico/timer.hpp"
 
 #include "pico/chip.hpp"

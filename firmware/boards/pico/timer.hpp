@@ -1,14 +1,14 @@
-// The time from the chip's timer.
+// Reads the chip's timer as the time.
 #pragma once
 
 #include <cstdint>
 
 namespace zstrip::board {
 
-/// After start_pacing(), whose tick an RP2040's timer counts.
+/// Call it after start_pacing(), whose tick the RP2040's timer counts.
 void start_timer();
 
-/// Since start_timer(); begins again at 0 after 49 days.
+/// Returns the milliseconds since start_timer(); wraps to 0 after 49 days.
 std::uint32_t milliseconds();
 
 }  // namespace zstrip::board

@@ -1,5 +1,5 @@
-// uf2 BOARD ELF UF2: a program for the flash of a Pico (pico) or Pico 2 (pico2) as the file that is copied to the board
-// when it shows up as a drive. Runs on the machine that builds. Format of ELF: Tool Interface Standard 1.2.
+// uf2 BOARD ELF UF2: converts a program for the flash of a Pico (pico) or Pico 2 (pico2) to the file that is copied to
+// the board's USB drive. Runs on the build machine. Format of ELF: Tool Interface Standard 1.2.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace zstrip::pico;
 
-/// Little-endian; throws where it would read behind the end.
+/// Reads a little-endian number; throws if it lies beyond the end.
 std::uint32_t number(const std::vector<std::uint8_t>& file, std::uint64_t at, unsigned bytes) {
   if (at > file.size() || file.size() - at < bytes) throw std::runtime_error("the ELF file is cut off");
   std::uint32_t value = 0;

@@ -1,6 +1,6 @@
-// A .uf2 file for the boot loader of an RP2040 or RP2350, from the pages of flash that it fills. Of programs for the
-// machine that builds or bakes. Format: "USB Flashing Format (UF2)", Microsoft; what the loader takes: RP2040 data
-// sheet, 2.8.4.2.
+// Makes a .uf2 file for the boot loader of an RP2040 or RP2350 from pages of flash. Used by programs of the build
+// machine and by `zstrip bake`. Format: "USB Flashing Format (UF2)", Microsoft; the loader's rules: RP2040 data sheet,
+// 2.8.4.2.
 #pragma once
 
 #include <array>
@@ -20,8 +20,9 @@ inline constexpr std::size_t kBlock = 512, kBlockHeader = 32, kBlockEnd = kBlock
 inline constexpr std::uint32_t kBegin0 = 0x0A324655, kBegin1 = 0x9E5D5157, kEnd = 0x0AB16F30;
 inline constexpr std::uint32_t kFamilyPresent = 0x2000;
 
-/// As a loader needs them that finds out from a block's number whether its sector was erased: a sector that is not the
-/// last one is whole, each begins at its beginning (erratum RP2040-E14). What is added is as after erasing.
+/// Returns the pages in whole sectors: each sector except the last is complete and begins at its first page, because a
+/// loader may conclude from a block's number whether its sector was erased (erratum RP2040-E14). Added pages are those
+/// of erased flash.
 inline Pages in_whole_sectors(const Pages& pages) {
   Page erased;
   erased.fill(0xFF);
@@ -35,7 +36,7 @@ inline Pages in_whole_sectors(const Pages& pages) {
   return whole;
 }
 
-/// The file, a block for each page.
+/// Returns the file, with a block for each page.
 inline std::vector<std::uint8_t> to_uf2(const Pages& pages, const Board& board) {
   const Pages whole = in_whole_sectors(pages);
   std::vector<std::uint8_t> file;

@@ -1,5 +1,5 @@
-// The RP2350 of the Raspberry Pi Pico 2: registers that the board uses, and what is not done as on an RP2040. Source:
-// RP2350 data sheet, chapters as named.
+// The RP2350 of the Raspberry Pi Pico 2: registers that the board uses, and functions that differ from the RP2040's.
+// Source: RP2350 data sheet; the comments give its chapters.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ inline constexpr std::uint32_t kCrystalEnable = 0xFABU << 12 | 0xAA0, kCrystalSt
 inline constexpr std::uint32_t kReferenceControl = 0x40010030, kReferenceSelected = 0x40010038;
 inline constexpr std::uint32_t kReferenceFromCrystal = 2;
 inline constexpr std::uint32_t kSystemControl = 0x4001003C, kSystemSelected = 0x40010044;
-inline constexpr std::uint32_t kSystemFromAuxiliary = 1;  // which is the PLL, field 0 of bits 7..5
-inline constexpr std::uint32_t kPeripheralControl = 0x40010048, kPeripheralEnable = 1U << 11;  // of the system's clock
+inline constexpr std::uint32_t kSystemFromAuxiliary = 1;  // the auxiliary source is the PLL, field 0 of bits 7..5
+inline constexpr std::uint32_t kPeripheralControl = 0x40010048, kPeripheralEnable = 1U << 11;  // system clock
 
 // 8.6, system PLL
 inline constexpr std::uint32_t kPllControl = 0x40050000, kPllPower = 0x40050004, kPllFeedback = 0x40050008;
@@ -40,7 +40,7 @@ inline constexpr std::uint32_t kWatchdogControl = 0x400D8000, kWatchdogLoad = 0x
 inline constexpr std::uint32_t kWatchdogEnable = 1U << 30;
 inline constexpr std::uint32_t kWatchdogTick = 0x40108030, kWatchdogTickCycles = 0x40108034, kTickEnable = 1U << 0;
 
-// 12.8, timer 0; 8.5, its tick. Reading the lower word keeps the upper one that belongs to it.
+// 12.8, timer 0; 8.5, its tick. Reading the lower word latches the upper one.
 inline constexpr std::uint32_t kTimerUpper = 0x400B0008, kTimerLower = 0x400B000C;
 inline constexpr std::uint32_t kTimerTick = 0x40108018, kTimerTickCycles = 0x4010801C;
 
@@ -61,14 +61,14 @@ inline constexpr std::uint32_t kSpi0 = 0x40080000;
 // 12.6, DMA: channel 0
 inline constexpr std::uint32_t kDmaRead = 0x50000000, kDmaWrite = 0x50000004;
 inline constexpr std::uint32_t kDmaCount = 0x50000008;    // the upper four bits are a mode, 0 here
-inline constexpr std::uint32_t kDmaControl = 0x5000000C;  // which triggers it
+inline constexpr std::uint32_t kDmaControl = 0x5000000C;  // writing it starts the channel
 inline constexpr std::uint32_t kDmaControlOnly = 0x50000010;
 inline constexpr std::uint32_t kDmaEnable = 1U << 0, kDmaIncrementRead = 1U << 4;
 inline constexpr std::uint32_t kDmaAtSpi0Pace = 24U << 17;  // DREQ_SPI0_TX
 inline constexpr std::uint32_t kDmaBusy = 1U << 26, kDmaFaults = 3U << 29;
 inline constexpr std::uint32_t kDmaAbort = 0x50000464;
 
-/// Clock of the processor and the peripherals.
+/// Returns the clock of the processor and the peripherals.
 constexpr std::uint32_t hertz() { return 150'000'000; }
 
 constexpr const pico::Board& board() { return pico::kPico2; }
@@ -76,20 +76,20 @@ constexpr const pico::Board& hot_board() { return pico::kPico2Hot; }
 
 constexpr std::uint32_t watchdog_counts_per_second() { return 1'000'000; }
 
-/// A tick each microsecond, of the crystal, for the watchdog.
+/// Starts a tick each microsecond from the crystal, for the watchdog.
 inline void start_ticks() {
   register_at(kWatchdogTickCycles) = 12;
   register_at(kWatchdogTick) = kTickEnable;
 }
 
-/// The timer has a tick of its own.
+/// Starts the timer's own tick.
 inline void start_timer_tick() {
   register_at(kTimerTickCycles) = 12;
   register_at(kTimerTick) = kTickEnable;
 }
 
-// After power-on a pad is isolated from its pin and takes no input. It is connected once the pin has its function. As
-// an input it is pulled up, as an idle serial line is: with a pull-down it would stay at 2 V (RP2350-E9).
+// After power-on a pad is isolated from its pin and its input is disabled. It is connected after the pin has its
+// function. An input is pulled up, like an idle serial line: with a pull-down it would stay at 2 V (RP2350-E9).
 inline void connect_output(unsigned pin) { register_at(pad(pin)) = kPad4Milliamperes | kPadPullDown | kPadSchmitt; }
 inline void connect_input(unsigned pin) {
   register_at(pad(pin)) = kPadInput | kPad4Milliamperes | kPadPullUp | kPadSchmitt;

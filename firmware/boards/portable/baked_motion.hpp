@@ -1,5 +1,5 @@
-// Your own scene, baked by `zstrip bake`, with its animation or rotation: one of the motions that scene_player.hpp
-// shows. ZSTRIP_SCENE names its header.
+// Your own scene, baked by `zstrip bake`, with its animation or rotation, as a motion for scene_player.hpp.
+// ZSTRIP_SCENE names its header.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 #include "zstrip/renderer.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 
-/// Found if the header has no skins. It lies outside of the header's namespace, because an inner namespace would hide
+/// Used if the header has no skins. It lies outside of the header's namespace, because an inner namespace would hide
 /// it.
 namespace baked_without_skins {
 template <class Time>
@@ -24,14 +24,15 @@ constexpr zstrip::Status pose_skins(Time) {
 
 namespace zstrip::board {
 
-/// True if FixedRenderer can draw the scene: it rotates no lines and needs none of the effects that only Renderer has.
+/// True if FixedRenderer can draw the scene: no lines rotate, and it needs none of the effects that only Renderer
+/// supports.
 inline constexpr bool kBakedIsFixed =
     !(scenes::turns_lines(baked::kAnimation, baked::kTurn) && !baked::kScene.lines.empty()) &&
     baked::kEffects.methods == 0 && !baked::kEffects.any(effect::depth_ranges | effect::supersampled);
 
-// These are templates, so that no code is generated for the one that is not chosen.
+// These are templates, so that no code is generated for the unused one.
 
-/// Scene and picture are constants; instances are in RAM.
+/// Scene and picture are constants; only instances are in RAM.
 template <const Scene& scene>
 struct FixedBakedScene {
   using Drawing =
@@ -48,7 +49,7 @@ struct FixedBakedScene {
   static inline constinit Drawing renderer{};
 };
 
-/// Moving data lies in RAM; everything else stays in flash.
+/// Moving data is in RAM, all other data in flash.
 template <const Scene& scene>
 struct AnyBakedScene {
   static scenes::MovedParts parts() { return {.instances = instances, .lines = lines}; }
@@ -74,7 +75,7 @@ class BakedMotion {
   static constexpr Plan kPlan = baked::kPlan;
 
   static constexpr const char* name() { return "baked"; }
-  /// Shows the scene's animation in as many frames as a full turn has; a scene without one rotates.
+  /// Shows the scene's animation in as many frames as a full rotation has; a scene without an animation rotates.
   static Status move_to(std::uint32_t frame) {
     staged =
         scenes::stage({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, frame, kFrames, Baked::parts());

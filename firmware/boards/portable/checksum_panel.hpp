@@ -1,5 +1,5 @@
-// A display that shows nothing: it takes rectangles as a panel does and keeps only the checksum of the picture. It
-// stands where the driver of a panel on SPI will be.
+// A display without a screen: takes rectangles as a panel does and keeps only the checksum of the picture. It takes the
+// place of the driver of a panel on SPI.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace zstrip::board {
 
-/// 16 bits a pixel, high byte first, as panels on SPI take them.
+/// 16 bits a pixel, high byte first, the format of SPI panels.
 template <std::uint16_t panel_width, std::uint16_t panel_height>
 class ChecksumPanel {
  public:
@@ -38,10 +38,10 @@ class ChecksumPanel {
     return hal::Error::none;
   }
   hal::Error wait() { return hal::Error::none; }
-  /// Error::strip_layout if the rectangles since begin_frame are not the whole picture.
+  /// Returns Error::strip_layout if the rectangles since begin_frame are not the whole picture.
   hal::Error end_frame() { return crc_.complete() ? hal::Error::none : hal::Error::strip_layout; }
 
-  /// zlib's CRC-32 of the frame that has ended.
+  /// Returns zlib's CRC-32 of the last complete frame.
   std::uint32_t crc32() const { return crc_.value(); }
 
  private:

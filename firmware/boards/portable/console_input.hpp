@@ -3,7 +3,7 @@
 
 namespace zstrip::board {
 
-/// Takes a character that has arrived, without waiting. False if there is none.
+/// Takes a character that has arrived, without waiting. Returns false if there is none.
 bool take_character(char& character);
 
 }  // namespace zstrip::board

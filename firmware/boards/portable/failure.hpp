@@ -5,14 +5,14 @@
 
 namespace zstrip::board {
 
-/// Both phrases are in static storage; without `error` nothing failed.
+/// Both phrases are in static storage. Null `error`: success.
 struct [[nodiscard]] Failure {
   const char* doing = nullptr;
   const char* error = nullptr;
   constexpr explicit operator bool() const { return error != nullptr; }
 };
 
-/// One line on the console, "DOING: ERROR".
+/// Prints one line on the console, "DOING: ERROR".
 inline void print(const Failure& failure) {
   print(failure.doing);
   print(": ");

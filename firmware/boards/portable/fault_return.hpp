@@ -1,4 +1,4 @@
-// From a fault of the processor back to the program that it broke off, which then shows it on its panel. Each
+// Returns from a fault of the processor to the interrupted program, which then shows the fault on its panel. Each
 // processor's start-up code defines mark_fault_return().
 #pragma once
 
@@ -8,17 +8,16 @@
 
 namespace zstrip::board {
 
-/// False now. When a fault comes, and has been reported on the console, the same call returns true: everything that was
-/// called since then is gone, and the caller must not have returned. That happens once: a second fault is reported,
-/// too, and halts the board, whose watchdog then starts it again. Nothing may be waited for that needs an interrupt (no
-/// clock), which leaves polled buses and those with DMA.
+/// Returns false. After a fault, which is first reported on the console, the same call returns once more, with true:
+/// all functions called since then are abandoned, and the caller must not have returned. A second fault is also
+/// reported, and halts the board, whose watchdog then resets it. Afterwards interrupts do not work, and so no clock;
+/// only polled buses and buses with DMA do.
 extern "C" [[gnu::returns_twice]] bool mark_fault_return();
 
 /// A text about the processor's fault, for console and panel.
 class FaultWords {
  public:
-  /// Appends `words`, and the bits of `value` from `bits` - 4 down to 0 as hexadecimal digits. Cuts text that does not
-  /// fit.
+  /// Appends `words`, and the bits of `value` from `bits` - 1 to 0 as hexadecimal digits. Cuts text that does not fit.
   [[gnu::noinline]] static void add(const char* words, std::uint32_t value, int bits) {
     for (; *words != '\0'; ++words) keep(*words);
     while (bits > 0) {
@@ -27,10 +26,10 @@ class FaultWords {
     }
   }
 
-  /// No words yet, of a new fault.
+  /// Removes all words, for a new fault.
   static void clear() { size = 0; }
 
-  /// In static storage.
+  /// Returns the text, in static storage.
   static const char* all() { return text.data(); }
 
  private:
@@ -40,7 +39,7 @@ class FaultWords {
     text[size] = '\0';
   }
 
-  static inline constinit std::array<char, 40> text{};  // ended by a zero
+  static inline constinit std::array<char, 40> text{};  // ends with a zero
   static inline constinit std::uint32_t size = 0;
 };
 

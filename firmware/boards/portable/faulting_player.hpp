@@ -1,4 +1,4 @@
-// Faults instead of showing anything, for tests of what a board reports then.
+// Causes a fault instead of showing a picture, to test the board's report.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A host on the console can pause the pictures: 'p' pauses, 'n' shows the next frame, 'r' runs on. While
-// paused, each frame that is shown is announced as "frame N", or "frame N, M pixels" where only M were drawn.
+// A host on the console can control the frames: 'p' pauses, 'n' shows the next frame, 'r' continues. While paused, each
+// shown frame is announced as "frame N", or "frame N, M pixels" if only M were drawn.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace zstrip::board {
 class HostControl {
  public:
   bool paused() const { return paused_; }
-  /// After a frame was shown: returns when the next one may be drawn, which is at once unless the host has paused.
+  /// Call it after a frame was shown. Returns when the next one may be drawn: at once, unless the host has paused.
   void frame_shown(std::uint32_t frame, std::uint32_t pixels = 0) {
     bool next = take_command();
     if (!paused_) return;

@@ -1,6 +1,7 @@
 // memcpy, memmove, memset and memcmp, which compilers call even in freestanding code, for targets without a C library.
-// Whole words where both sides allow it; on Arm sixteen bytes at a time with load and store multiple. To be compiled
-// with GCC's -fno-tree-loop-distribute-patterns or clang's -fno-builtin, or these loops become calls of themselves.
+// They use whole words if both sides are aligned; on Arm sixteen bytes at a time with load and store multiple. Compile
+// with GCC's -fno-tree-loop-distribute-patterns or clang's -fno-builtin: otherwise compilers replace these loops by
+// calls of the same functions.
 #include <cstddef>
 #include <cstdint>
 
@@ -17,7 +18,7 @@ bool equally_aligned(const void* a, const void* b) {
   return (reinterpret_cast<std::uintptr_t>(a) - reinterpret_cast<std::uintptr_t>(b)) % sizeof(Word) == 0;
 }
 
-// Both aligned, blocks > 0; leaves the addresses behind the blocks.
+// Both addresses are aligned, blocks > 0; moves them to the end of the blocks.
 #if defined(__arm__)
 void copy_blocks(Byte*& to, const Byte*& from, std::size_t blocks) {
   asm volatile(
@@ -97,7 +98,7 @@ void* memcpy(void* __restrict to, const void* __restrict from, std::size_t count
 }
 
 void* memmove(void* to, const void* from, std::size_t count) {
-  // Upwards is right unless `to` lies inside [from, from + count); the difference wraps if it lies below.
+  // Copying upwards is right unless `to` lies inside [from, from + count); the difference wraps if it lies below.
   const std::uintptr_t distance = reinterpret_cast<std::uintptr_t>(to) - reinterpret_cast<std::uintptr_t>(from);
   if (distance >= count) {
     copy_upwards(static_cast<Byte*>(to), static_cast<const Byte*>(from), count);

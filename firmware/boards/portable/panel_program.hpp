@@ -30,7 +30,7 @@ int run_on_panel(Panel& panel) {
   return 1;
 }
 
-/// As above, for a panel with a reset line and an optional backlight, which is switched on first so that a panic is
+/// Does the same for a panel with a reset line and an optional backlight, which is switched on first so that a panic is
 /// visible.
 template <class Player, class Panel, hal::OutputPin ResetPin, hal::Clock Time, hal::OutputPin LightPin = hal::NoPin>
 int run_on_panel(Panel& panel, ResetPin reset, Time& clock, LightPin light = {}) {

@@ -1,4 +1,4 @@
-// The end of a program that cannot go on: it shows why, on the console and on the panel as far as that still works.
+// Ends a program that cannot continue: shows the reason on the console and, if it still works, on the panel.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace zstrip::board {
 
-/// After any failure, also amid a write: what is under way ends first. Waits for the bus only, at most for three of its
-/// time-outs; a bus that never returns is the watchdog's. Afterwards the caller ends the program without feeding it:
-/// the board starts again, where it has one. The panel shows the first `max_words` characters.
+/// Call it after any failure, also during a write, which ends first. Waits only for the bus, at most for three of its
+/// time-outs; if a bus never returns, the watchdog resets the board. Afterwards the caller ends the program without
+/// feeding the watchdog, so that a board with one starts again. The panel shows the first `max_words` characters.
 template <std::size_t max_words = 96, hal::Display Panel>
 void panic(Panel& panel, const Failure& failure) {
   print("panic: ");
@@ -25,7 +25,7 @@ void panic(Panel& panel, const Failure& failure) {
   static_cast<void>(panel.wait());
   const std::string_view words(text.data(), size);
   hal::Error error = hal::show_message(panel, words);
-  // A command may have been broken off: the frame after an error shows right.
+  // A command may have been interrupted: the frame after an error is shown correctly.
   if (error != hal::Error::none) error = hal::show_message(panel, words);
   if (error != hal::Error::none) print(Failure{"panic on the display", hal::message(error)});
 }

@@ -1,6 +1,6 @@
-// CRC-32 of a whole picture, as zlib computes it over all rows from top to bottom, from rectangles in any order. CRCs
-// are polynomials over GF(2): that of a picture is the sum of those of its parts, each times x^8 for every byte that
-// follows the part in the picture.
+// Computes the CRC-32 of a whole picture, as zlib does over all rows from top to bottom, from rectangles in any order.
+// CRCs are polynomials over GF(2): the CRC of a picture is the sum of those of its parts, each times x^8 for every byte
+// that follows the part in the picture.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace zstrip::board {
 
-/// Product of two polynomials modulo that of the CRC, reflected: the highest bit is the coefficient of x^0.
+/// Returns the product of two polynomials modulo that of the CRC, reflected: the highest bit is the coefficient of x^0.
 constexpr std::uint32_t crc32_product(std::uint32_t a, std::uint32_t b) {
   std::uint32_t result = 0;
   for (; a != 0; a <<= 1) {
@@ -26,8 +26,8 @@ class PictureCrc32 {
  public:
   explicit constexpr PictureCrc32(std::uint32_t picture_bytes) : picture_bytes_(picture_bytes) {}
 
-  /// Bytes that lie next to each other in the picture, `offset` bytes from its beginning. Within the picture, and no
-  /// byte of it twice.
+  /// Adds adjacent bytes of the picture, `offset` bytes from its begin. They must lie in the picture, and no byte may
+  /// be added twice.
   void add(std::uint32_t offset, std::span<const std::byte> bytes) {
     Crc32 part(0);
     part.add(bytes);
@@ -39,7 +39,7 @@ class PictureCrc32 {
   std::uint32_t value() const { return ~(sum_ ^ followed_by(0xFFFFFFFF, picture_bytes_)); }
 
  private:
-  /// x^8, and each the square of the one before: as many zero bytes as the bit is worth.
+  /// x^8, followed by the square of each entry before: the factor for 2^i zero bytes.
   static constexpr std::array<std::uint32_t, 32> kPowers = [] {
     std::array<std::uint32_t, 32> powers{};
     std::uint32_t power = 0x80000000U >> 8;

@@ -11,8 +11,9 @@
 
 namespace zstrip::board {
 
-/// Frame after frame of `Player`'s motion on a display that was started, one a tick or as fast as they can be drawn;
-/// between them the board sleeps. start_pacing() comes before. Returns only what failed, also a fault of the processor.
+/// Shows frame after frame of `Player`'s motion on a display that was started, one a tick or as fast as they can be
+/// drawn; between frames the board sleeps. Call start_pacing() before. Returns only after a failure, also after a fault
+/// of the processor.
 template <class Player, hal::Display Panel>
 Failure show_scene(Panel& panel) {
   if (mark_fault_return()) return {"fault", FaultWords::all()};

@@ -12,8 +12,8 @@
 
 namespace zstrip::board {
 
-/// `Motion`: turntable_motion.hpp or baked_motion.hpp, the scene and the renderer that draws it. With two strip buffers
-/// drawing overlaps a transfer: of use only with a bus that sends by itself.
+/// `Motion` is a scene with the renderer that draws it: see turntable_motion.hpp or baked_motion.hpp. With two strip
+/// buffers drawing overlaps a transfer, which is useful only with DMA.
 template <class Motion, unsigned strip_buffers = 1>
 class ScenePlayer {
   static_assert(strip_buffers == 1 || strip_buffers == 2);

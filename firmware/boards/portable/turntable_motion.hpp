@@ -1,4 +1,4 @@
-// A built-in scene on the turntable, drawn with a preset: one of the motions that scene_player.hpp shows.
+// A built-in scene on the turntable, drawn with a preset, as a motion for scene_player.hpp.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,16 @@
 
 namespace zstrip::board {
 
-/// `budget` with the preset's way of drawing. How many rows a strip has depends on the board's memory, unless the
-/// preset has fewer than the usual ones: then few rows are its purpose.
+/// Returns `budget` with the preset's modes. The number of rows depends on the board's memory, unless the preset has
+/// fewer rows than the default: then few rows are its purpose.
 constexpr Budget with_quality(Budget budget, const Quality& preset) {
   budget.modes = preset.budget.modes;
   if (preset.budget.strip_rows < quality::balanced.budget.strip_rows) budget.strip_rows = preset.budget.strip_rows;
   return budget;
 }
 
-/// True if an unchanged scene in flash suits the preset: flat, and without a mesh that is worth simplifying.
+/// True if the preset needs no change of a scene in flash: it shades flat like the scene, and no mesh is worth
+/// simplifying.
 constexpr bool suits(const scenes::BuiltIn& scene, const Quality& preset) {
   constexpr std::size_t kWorthSimplifying = 200;  // triangles
   if (!preset.smooth && effects_of(scene.scene, scene.camera).has(effect::gouraud)) return false;
@@ -32,8 +33,7 @@ constexpr bool suits(const scenes::BuiltIn& scene, const Quality& preset) {
   return true;
 }
 
-/// The effects of the preset, and effect::unclipped where the scene stays in front of the camera: all frames of the
-/// turn are drawn.
+/// Returns the effects of the preset, and effect::unclipped if the scene stays in front of the camera in all frames.
 template <const scenes::BuiltIn& scene, View view, const Quality& preset>
 constexpr Effects effects_beside() {
   constexpr bool kInFront = scenes::stays_in_front(scene, view);
@@ -44,9 +44,9 @@ constexpr Effects effects_beside() {
 template <const scenes::BuiltIn& built_in>
 inline constexpr Scene kSceneOf = built_in.scene;
 
-/// Frame n of a turn in `frames_per_turn`, planned for `view` within `budget`, drawn with `preset`, one of
-/// zstrip/plan.hpp (what each costs and buys: docs/accuracy.md). Scene and picture are constants, what is turned is in
-/// RAM: instances, or the camera.
+/// Shows frame n of a rotation in `frames_per_turn` frames, planned for `view` within `budget`, drawn with `preset`,
+/// one of zstrip/plan.hpp (docs/accuracy.md has costs and benefits). Scene and picture are constants; only the rotated
+/// data is in RAM: instances, or the camera.
 template <const scenes::BuiltIn& built_in, View view, Budget budget, std::uint32_t frames_per_turn = 64,
           const Quality& preset = quality::balanced>
 class TurntableMotion {
@@ -82,7 +82,7 @@ class TurntableMotion {
   }
 
  protected:
-  // Only one of the first two is used, and linked.
+  // Only one of the first two is used and linked.
   static inline constinit Camera camera{};
   static inline constinit typename Drawing::Moving moving{};
   static inline constinit Drawing renderer{};

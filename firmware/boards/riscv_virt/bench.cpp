@@ -1,4 +1,4 @@
-// The benchmark's workloads that are counted on RISC-V, too.
+// The benchmark's workloads that are also counted on RISC-V.
 #include "mps2/bench_run.hpp"
 #include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/cube.hpp"

@@ -1,4 +1,4 @@
-// The machine `virt`: the console on its 16550 UART, the end of the program through its test device.
+// The machine `virt`: the console is its 16550 UART; the program ends through its test device.
 #include "cortex_m/board.hpp"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Sets bochs-display up. Sources: QEMU docs/specs/standard-vga (the registers), PCI Local Bus Specification 3.0,
+// Sets up bochs-display. Sources: QEMU docs/specs/standard-vga (the registers), PCI Local Bus Specification 3.0,
 // section 6 (the header of a device).
 #include "riscv_virt/bochs_display.hpp"
 
@@ -13,9 +13,9 @@ constexpr std::uint32_t kDevices = 32, kDeviceBytes = 1U << 15;
 constexpr std::uint32_t kIdentity = 0x00, kCommand = 0x04, kBar0 = 0x10, kBar2 = 0x18;
 constexpr std::uint32_t kBochsDisplay = 0x11111234;
 constexpr std::uint32_t kMemorySpace = 1U << 1;
-constexpr std::uint32_t kRegisters = 0x41000000;  // of the device, behind its pixels
+constexpr std::uint32_t kRegisters = 0x41000000;  // of the device, after its pixels
 
-// Registers of 16 bits, by their numbers.
+// Numbers of registers of 16 bits.
 enum class Dispi : std::uint32_t { width = 1, height = 2, bits = 3, enable = 4, virtual_width = 6, y_offset = 9 };
 constexpr std::uint16_t kEnabled = 1U << 0, kLinear = 1U << 6;
 

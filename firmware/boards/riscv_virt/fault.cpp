@@ -1,4 +1,4 @@
-// Faults, for tests: shown on bochs-display and the console.
+// Causes faults for tests, which are shown on bochs-display and the console.
 #include "portable/faulting_player.hpp"
 #include "riscv_virt/show.hpp"
 

@@ -4,7 +4,7 @@
 namespace zstrip::board {
 namespace {
 
-/// Modulo 2^32, which is enough for a region.
+/// Returns the count modulo 2^32, which is enough for a region.
 std::uint32_t retired() {
   std::uint32_t count;
   asm volatile("csrr %0, minstret" : "=r"(count));

@@ -1,5 +1,5 @@
-// Frame clock: the machine timer, with interrupts masked; a masked one that is pending still ends WFI. The machine has
-// no watchdog. Source: The RISC-V Instruction Set Manual, volume II, 3.2.1 (timer) and 3.3.3 (WFI).
+// Frame clock: the machine timer, with interrupts masked: a pending interrupt ends WFI also while it is masked. The
+// machine has no watchdog. Source: The RISC-V Instruction Set Manual, volume II, 3.2.1 (timer) and 3.3.3 (WFI).
 #include "portable/pacing.hpp"
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace zstrip::board {
 namespace {
 
-constexpr std::uint32_t kCompare = 0x02004000, kTime = 0x0200BFF8;  // of hart 0; the upper halves follow
+constexpr std::uint32_t kCompare = 0x02004000, kTime = 0x0200BFF8;  // for hart 0; the upper halves follow
 constexpr std::uint32_t kTicksPerFrame = 10'000'000 / 60;
 std::uint64_t next_tick = 0;
 
@@ -29,7 +29,7 @@ void start_pacing() {
 }
 
 void wait_for_tick() {
-  // The upper half is out of reach while the halves do not belong together.
+  // The upper half is at its maximum while the halves do not belong together, so that no tick can occur.
   register_at(kCompare + 4) = 0xFFFFFFFF;
   register_at(kCompare) = static_cast<std::uint32_t>(next_tick);
   register_at(kCompare + 4) = static_cast<std::uint32_t>(next_tick >> 32);

@@ -1,4 +1,4 @@
-// A textured room seen from inside in 640x480 pixels of 32 bits, each texel in its exact place.
+// A textured room seen from inside in 640x480 pixels of 32 bits; each pixel gets the exact texel.
 #include "zstrip_scenes/room.hpp"
 #include "riscv_virt/show.hpp"
 

@@ -12,7 +12,7 @@
 
 namespace zstrip::board {
 
-/// Whatever `Player` shows, for ever; the result is main's, if there is no display.
+/// Shows the frames of `Player` for ever; main returns the result if there is no display.
 template <class Player, View view>
 int run_on_bochs_display() {
   constexpr std::uint32_t kRowBytes = bytes_per_row(view.width, view.format);
@@ -25,10 +25,10 @@ int run_on_bochs_display() {
                            {view.width, view.height, static_cast<hal::PixelFormat>(view.format)});
   start_pacing();
   panic(display, show_scene<Player>(display));
-  for (;;) asm volatile("wfi");  // the emulator ends with main, and with it the screen that has the words
+  for (;;) asm volatile("wfi");  // the emulator would end with main, and close the screen with the message
 }
 
-/// `scene` on the turntable for ever, drawn with a preset; the result is main's.
+/// Shows `scene` on the turntable for ever, drawn with a preset; main returns the result.
 template <const scenes::BuiltIn& scene, View view, const Quality& preset = quality::balanced>
 int show_on_bochs_display() {
   constexpr Budget kBudget{.bytes = 256 * 1024, .strip_buffers = 1};

@@ -9,7 +9,7 @@
 int main();
 
 extern "C" {
-// Set by the linker script; only their addresses mean something.
+// The linker script sets these; only their addresses have a meaning.
 extern std::uint32_t bss_start[], bss_end[];
 
 [[noreturn]] void reset_handler();
@@ -26,7 +26,7 @@ constexpr int kFaultStatus = 70;
 bool reported = false;
 }  // namespace
 
-// All harts of the machine start here; the first one runs the program, others wait for ever.
+// All harts of the machine start here; the first one runs the program, the others wait for ever.
 [[gnu::naked, gnu::section(".reset")]] void reset_handler() {
   asm volatile(
       "csrr t0, mhartid\n"
@@ -64,7 +64,7 @@ void start_program() {
       "ret");
 }
 
-// mtvec keeps two bits for itself: the address must be a multiple of 4. The program's frames must stay as they are.
+// mtvec uses two bits for its mode: the address must be a multiple of 4. The program's stack frames must not change.
 [[gnu::naked, gnu::aligned(4)]] void trap_handler() {
   asm volatile(
       "csrr a0, mcause\n\t"

@@ -19,7 +19,7 @@ bool off() {
 
 }  // namespace
 
-// The order is that of 10.3.17: off, flags cleared, addresses, count, configuration, on.
+// The order is that of RM0090, 10.3.17: off, flags cleared, addresses, count, configuration, on.
 void SpiDma::start(std::span<const std::byte> bytes) {
   register_at(kDmaConfig3) = 0;
   polls_left_ = 0;

@@ -11,28 +11,28 @@
 
 namespace zstrip::board::stm32 {
 
-/// DMA2's stream that feeds SPI1.
+/// The stream of DMA2 that feeds SPI1.
 class SpiDma {
  public:
   static constexpr std::uint32_t kSpi1 = 0x40013000;
   static constexpr std::size_t kMaxBytes = 65'535;  // its counter has 16 bits
 
-  /// Begins to send 1 up to kMaxBytes, which must lie in the SRAM at 0x20000000 or in flash: it does not reach the
+  /// Begins to send 1 to kMaxBytes bytes, which must lie in the SRAM at 0x20000000 or in flash: DMA2 cannot access the
   /// core-coupled memory.
   void start(std::span<const std::byte> bytes);
-  /// Until everything is out of the memory. Error::timeout, or Error::bus if it reports a fault of its own; the stream
-  /// is off in any case.
+  /// Waits until all bytes have left the memory. Returns Error::timeout, or Error::bus for a fault that the stream
+  /// reports; the stream is off in any case.
   hal::Error finish();
 
  private:
   std::uint32_t polls_left_ = 0;
 };
 
-/// Commands are polled. wait() gives up after about twice the time that the bytes take, at 10 MHz and more.
+/// Commands are polled. wait() gives up after about twice the time of the transfer, at 10 MHz and more.
 template <hal::OutputPin DataCommandPin, hal::OutputPin SelectPin>
 class DmaPanelBus {
  public:
-  /// See SpiMaster::start(); the clocks of SPI1, DMA2 and the ports must run. To be called once, before anything else.
+  /// See SpiMaster::start(); the clocks of SPI1, DMA2 and the ports must run. Call it once, before any other function.
   hal::Error start(std::uint32_t divider) {
     spi_.start(divider);
     return SelectPin().set(true);
@@ -46,7 +46,7 @@ class DmaPanelBus {
 
   hal::Error write_data(std::span<const std::byte> bytes) {
     const hal::Error selected = select(true);
-    if (selected != hal::Error::none || bytes.empty()) return deselect(selected);  // no stream ends that has no bytes
+    if (selected != hal::Error::none || bytes.empty()) return deselect(selected);  // a stream without bytes never ends
     while (bytes.size() > SpiDma::kMaxBytes) {
       begin(bytes.first(SpiDma::kMaxBytes));
       if (const hal::Error error = dma_.finish(); error != hal::Error::none) return deselect(error);
@@ -67,7 +67,7 @@ class DmaPanelBus {
   }
 
  private:
-  /// The stream first, then the SPI that requests bytes; and off in the other order (RM0090, 10.3.17).
+  /// Starts the stream first, then the SPI's requests; they are switched off in the opposite order (RM0090, 10.3.17).
   void begin(std::span<const std::byte> bytes) {
     dma_.start(bytes);
     spi_.use_dma(true);
@@ -76,7 +76,7 @@ class DmaPanelBus {
     const hal::Error error = DataCommandPin().set(data);
     return error != hal::Error::none ? error : SelectPin().set(false);
   }
-  /// The first error is the one reported.
+  /// Returns only the first error.
   hal::Error deselect(hal::Error error) {
     spi_.use_dma(false);
     if (error != hal::Error::none) spi_.abort();

@@ -20,8 +20,9 @@ void set_field(std::uint32_t address, unsigned index, unsigned bits, std::uint32
   register_at(address) = (register_at(address) & ~mask) | value << (index * bits);
 }
 
-/// The oscillator's megahertz by M is 1 MHz; times N = 320, by P = 2. Not the 168 MHz that the chip allows: of these no
-/// divider makes the 10 MHz of an ILI9341. Q is USB's, which is unused: its output must not be above 48 MHz.
+/// The crystal's megahertz divided by M is 1 MHz; times N = 320, divided by P = 2. Not the 168 MHz that the chip
+/// allows, because no divider makes 10 MHz for an ILI9341 from it. Q is for USB, which is unused: its output must not
+/// exceed 48 MHz.
 bool use_crystal(std::uint32_t crystal_megahertz) {
   constexpr std::uint32_t kN = 320U << kPllNShift, kPBy2 = 0U << kPllPShift, kQ = 7U << kPllQShift;
   register_at(kClockControl) = register_at(kClockControl) | kHseOn;
@@ -32,7 +33,7 @@ bool use_crystal(std::uint32_t crystal_megahertz) {
       (register_at(kPllConfig) & kPllReserved) | kQ | kPllFromHse | kPBy2 | kN | crystal_megahertz;
   register_at(kClockControl) = register_at(kClockControl) | kPllOn;
   if (!becomes(kClockControl, kPllReady, kPllReady)) return false;
-  // The flash must be slow enough before the processor is fast (3.5.1).
+  // The flash's wait states must be set before the processor becomes fast (3.5.1).
   register_at(kFlashAccess) = kWaitStates5 | kPrefetch | kInstructionCache | kDataCache;
   if (!becomes(kFlashAccess, kWaitStatesMask, kWaitStates5)) return false;
   register_at(kClockConfig) = kApb1By4 | kApb2By2;

@@ -10,13 +10,13 @@ namespace zstrip::board::stm32 {
 
 constexpr std::uint32_t set_reset_f4(char port) { return gpio_f4(port) + kGpioSetReset; }
 
-/// Clocks of the buses after start_clock_f4(), in hertz.
+/// The clocks of the buses after start_clock_f4(), in hertz.
 struct ClocksF4 {
   std::uint32_t processor, apb1, apb2;
 };
 
-/// 160 MHz from the crystal and the PLL; crystal_megahertz 4..26. Where the crystal does not start, or the PLL does not
-/// lock, the board stays on its internal oscillator of 16 MHz: a slow board that speaks is better than a dead one.
+/// Sets 160 MHz from the crystal and the PLL; crystal_megahertz 4..26. If the crystal does not start, or the PLL does
+/// not lock, the board stays on its internal oscillator of 16 MHz: a slow board that reports is better than a dead one.
 void start_clock_f4(std::uint32_t crystal_megahertz);
 
 /// Returns the clocks that start_clock_f4() has set.
@@ -28,7 +28,7 @@ inline void enable_clock(std::uint32_t bus, std::uint32_t bits) {
   [[maybe_unused]] const std::uint32_t settled = register_at(bus);
 }
 
-/// Fast push-pull pins without pull resistors; the port's clock must run.
+/// These make fast push-pull pins without pull resistors; the port's clock must run.
 void make_output_f4(char port, unsigned pin);
 void make_alternate_f4(char port, unsigned pin, std::uint32_t function);
 

@@ -1,5 +1,6 @@
-// Registers of the STM32F405 and STM32F407 that the boards use, but for SPI, USART and watchdog, which other families
-// have, too. Source: RM0090, chapters as named; docs/hardware-review.md has what each was checked against.
+// Registers of the STM32F405 and STM32F407 that the boards use, except SPI, USART and watchdog, which other families
+// also have. Source: RM0090; the comments give its chapters. docs/hardware-review.md lists the sources against which
+// each register was checked.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ inline constexpr std::uint32_t kClockControl = 0x40023800;
 inline constexpr std::uint32_t kHseOn = 1U << 16, kHseReady = 1U << 17, kPllOn = 1U << 24, kPllReady = 1U << 25;
 inline constexpr std::uint32_t kPllConfig = 0x40023804;
 inline constexpr std::uint32_t kPllNShift = 6, kPllPShift = 16, kPllFromHse = 1U << 22, kPllQShift = 24;
-inline constexpr std::uint32_t kPllReserved = 0xF0BC8000;  // to be left as they are
+inline constexpr std::uint32_t kPllReserved = 0xF0BC8000;  // must not be changed
 inline constexpr std::uint32_t kClockConfig = 0x40023808;
 inline constexpr std::uint32_t kApb1By4 = 5U << 10, kApb2By2 = 4U << 13;
 inline constexpr std::uint32_t kUsePll = 2, kUsesPll = 2U << 2, kUsedMask = 3U << 2;
@@ -39,7 +40,7 @@ inline constexpr std::uint32_t kGpioOutput = 1, kGpioAlternate = 2, kGpioHighSpe
 inline constexpr std::uint32_t kDma2 = 0x40026400;
 inline constexpr std::uint32_t kDmaStatusLow = kDma2 + 0x00, kDmaClearLow = kDma2 + 0x08;
 inline constexpr std::uint32_t kDmaAllFlags3 = 0x3DU << 22;
-inline constexpr std::uint32_t kDmaFaults3 = 1U << 24 | 1U << 25;  // direct mode, transfer; the FIFO is not used
+inline constexpr std::uint32_t kDmaFaults3 = 1U << 24 | 1U << 25;  // direct mode and transfer; the FIFO is not used
 inline constexpr std::uint32_t kDmaComplete3 = 1U << 27;
 inline constexpr std::uint32_t kDmaStream3 = kDma2 + 0x10 + 3 * 0x18;
 inline constexpr std::uint32_t kDmaConfig3 = kDmaStream3 + 0x00, kDmaCount3 = kDmaStream3 + 0x04;

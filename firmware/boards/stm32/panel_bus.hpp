@@ -10,14 +10,14 @@
 
 namespace zstrip::board::stm32 {
 
-/// Everything has been sent when a function returns. Error::timeout as SpiMaster::send states; the panel is deselected
-/// then, and the controller ready again.
+/// All bytes have been sent when a function returns. Error::timeout as in SpiMaster::send; the panel is then deselected
+/// and the controller is ready again.
 template <hal::OutputPin DataCommandPin, hal::OutputPin SelectPin>
 class PolledPanelBus {
  public:
   explicit constexpr PolledPanelBus(std::uint32_t spi_address) : spi_(spi_address) {}
 
-  /// See SpiMaster::start(). To be called once, before anything else.
+  /// See SpiMaster::start(). Call it once, before any other function.
   hal::Error start(std::uint32_t divider) {
     spi_.start(divider);
     return SelectPin().set(true);

@@ -1,4 +1,4 @@
-// A pin of an STM32 that was made an output. Sources: RM0041, 7.2.5 and RM0090, 8.4.7 (bit set/reset register).
+// A pin of an STM32 that is an output. Sources: RM0041, 7.2.5 and RM0090, 8.4.7 (bit set/reset register).
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace zstrip::board {
 
-/// `set_reset`: the address of the port's register. One store, so that other pins of the port may change meanwhile.
+/// `set_reset` is the address of the port's register. Setting is one store, so that other code may change other pins of
+/// the port meanwhile.
 template <std::uint32_t set_reset, unsigned number>
 struct Pin {
   static_assert(number < 16);

@@ -1,4 +1,4 @@
-// Sends, and throws away what is received meanwhile.
+// Sends bytes and discards received ones.
 #include "stm32/spi.hpp"
 
 namespace zstrip::board::stm32 {
@@ -28,7 +28,7 @@ Error SpiMaster::send(std::span<const std::byte> bytes) {
   return finish();
 }
 
-// RM0090, 28.3.8: the transmit buffer first, then busy. Reading data, then status, clears the overrun.
+// RM0090, 28.3.8: waits for the transmit buffer, then for busy. Reading data, then status, clears the overrun.
 Error SpiMaster::finish() {
   if (const Error error = wait_for(kSpiTransmitEmpty, kSpiTransmitEmpty); error != Error::none) return error;
   const Error error = wait_for(kSpiBusy, 0);
@@ -42,7 +42,7 @@ void SpiMaster::abort() {
   at(kSpiControl2) = 0;
   at(kSpiControl1) = control & ~kSpiEnable;
   at(kSpiControl1) = control | kSpiEnable;
-  [[maybe_unused]] const Error again = finish();  // the error that led here is the one reported
+  [[maybe_unused]] const Error again = finish();  // the caller's error is reported instead
 }
 
 }  // namespace zstrip::board::stm32

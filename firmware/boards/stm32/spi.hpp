@@ -1,4 +1,4 @@
-// The SPI of STM32F1 and STM32F4, as master that only sends. Sources: RM0041, chapter 22; RM0090, chapter 28.
+// The SPI of STM32F1 and STM32F4 as a master that only sends. Sources: RM0041, chapter 22; RM0090, chapter 28.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,12 @@ inline constexpr std::uint32_t kSpiControl2 = 0x04;
 inline constexpr std::uint32_t kSpiStatus = 0x08;
 inline constexpr std::uint32_t kSpiData = 0x0C;
 inline constexpr std::uint32_t kSpiMaster = 1U << 2, kSpiDividerShift = 3, kSpiEnable = 1U << 6;
-inline constexpr std::uint32_t kSpiSelectInternal = 3U << 8;  // SSM and SSI: the select line is a pin of ours
-inline constexpr std::uint32_t kSpiTransmitByDma = 1U << 1;   // of control 2
+inline constexpr std::uint32_t kSpiSelectInternal = 3U << 8;  // SSM and SSI: the program drives the select line as a
+                                                              // pin
+inline constexpr std::uint32_t kSpiTransmitByDma = 1U << 1;   // in control 2
 inline constexpr std::uint32_t kSpiTransmitEmpty = 1U << 1, kSpiBusy = 1U << 7;
 
-/// The controller at this address, its clock running and its pins configured. Mode 0, 8 bits, highest first.
+/// The controller at this address; its clock must run and its pins must be configured. Mode 0, 8 bits, highest first.
 class SpiMaster {
  public:
   explicit constexpr SpiMaster(std::uint32_t address) : address_(address) {}
@@ -28,20 +29,21 @@ class SpiMaster {
   /// The serial clock is the peripheral's divided by 2^(divider + 1); `divider` 0..7.
   void start(std::uint32_t divider);
 
-  /// Returns when the last bit is out. Error::timeout if the controller takes no byte within kPolls looks at it.
+  /// Returns when the last bit is sent. Error::timeout if the controller takes no byte within kPolls polls.
   hal::Error send(std::span<const std::byte> bytes);
 
-  /// Until the shift register is empty, too.
+  /// Waits until the shift register is empty, too.
   hal::Error finish();
 
-  /// Off and on again; a byte that was left is given time to go out, as long as finish() has, so that none is sent with
-  /// the next transfer.
+  /// Switches the controller off and on. First gives a remaining byte as much time as finish() does, so that it is not
+  /// sent with the next transfer.
   void abort();
 
   std::uint32_t data_register() const { return address_ + kSpiData; }
   void use_dma(bool on) { at(kSpiControl2) = on ? kSpiTransmitByDma : 0; }
 
-  /// At least six cycles each: 0.7 ms at 160 MHz, 15 ms at 8 MHz. A byte takes at most 256 * 8 cycles.
+  /// Each poll takes at least six cycles: 0.7 ms in total at 160 MHz, 15 ms at 8 MHz. A byte takes at most 256 * 8
+  /// cycles.
   static constexpr int kPolls = 20'000;
 
  private:

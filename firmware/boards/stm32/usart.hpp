@@ -1,4 +1,4 @@
-// A USART of STM32F1 and STM32F4 as console: 8 bits, no parity, 1 stop bit, polled. Sources: RM0041, chapter 23;
+// A USART of STM32F1 and STM32F4 as the console: 8 bits, no parity, 1 stop bit, polled. Sources: RM0041, chapter 23;
 // RM0090, chapter 30.
 #pragma once
 
@@ -8,13 +8,13 @@
 
 namespace zstrip::board::stm32 {
 
-/// The USART at `address`, its clock running and its pins configured.
+/// The USART at `address`; its clock must run and its pins must be configured.
 template <std::uint32_t address>
 struct Usart {
   static constexpr std::uint32_t kStatus = address, kData = address + 0x04, kBaudRate = address + 0x08;
   static constexpr std::uint32_t kControl1 = address + 0x0C;
 
-  /// `hertz` of the peripheral's clock.
+  /// `hertz` is the peripheral's clock.
   static void start(std::uint32_t hertz, std::uint32_t baud) {
     constexpr std::uint32_t kReceiveEnable = 1U << 2, kTransmitEnable = 1U << 3, kEnable = 1U << 13;
     register_at(kBaudRate) = (hertz + baud / 2) / baud;

@@ -12,13 +12,13 @@ inline constexpr std::uint32_t kCrystalMegahertz = 8;
 // The console, for a serial adapter: PA2 sends, PA3 receives.
 using Console = stm32::Usart<0x40004400>;  // USART2, AF7
 
-// The panel: PB3 clock, PB5 data (SPI1, AF5; PA5 and PA7 lead to the board's motion sensor), and lines of its own.
+// The panel: PB3 clock, PB5 data (SPI1, AF5; PA5 and PA7 lead to the board's motion sensor), and the lines below.
 using PanelDataCommand = Pin<stm32::set_reset_f4('E'), 7>;
 using PanelReset = Pin<stm32::set_reset_f4('E'), 8>;
 using PanelSelect = Pin<stm32::set_reset_f4('E'), 9>;
 using PanelLight = Pin<stm32::set_reset_f4('E'), 10>;
 
-/// Clocks and pins of the panel's SPI and its DMA.
+/// Enables the clocks and sets the pins of the panel's SPI and its DMA.
 void start_panel_pins();
 
 }  // namespace zstrip::board

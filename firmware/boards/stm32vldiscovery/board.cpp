@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kClockEnableApb2 = 0x40021018;
 constexpr std::uint32_t kGateGpioA = 1U << 2, kGateGpioB = 1U << 3, kGateSpi1 = 1U << 12, kGateUsart1 = 1U << 14;
 
-// Four bits a pin, the lower eight pins first.
+// Four bits a pin; the lower eight pins come first.
 constexpr std::uint32_t kGpioA = 0x40010800, kGpioB = 0x40010C00;
 constexpr std::uint32_t kOutput = 0x3, kAlternateOutput = 0xB;  // push-pull, 50 MHz
 

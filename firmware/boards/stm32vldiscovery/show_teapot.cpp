@@ -29,7 +29,7 @@ constexpr std::uint32_t kBy2 = 0;  // 4 MHz
 int main() {
   start_panel_pins();
   stm32::PolledPanelBus<PanelDataCommand, PanelSelect> bus(kPanelSpi);
-  if (bus.start(kBy2) != hal::Error::none) return 1;  // pins cannot fail
+  if (bus.start(kBy2) != hal::Error::none) return 1;  // setting pins cannot fail
   SysTickClock clock(kHertz);
   hal::St7735 panel(bus, clock, kModule);
   return run_on_panel<ScenePlayer<TurntableMotion<scenes::teapot_meshlets, kView, kBudget>>>(panel, PanelReset{},

@@ -1,4 +1,4 @@
-// A room seen from inside in 128x128 pixels, with the preset of the least memory.
+// A room seen from inside in 128x128 pixels, with the preset for the least memory.
 #include "cortex_m/turntable.hpp"
 #include "zstrip_scenes/room.hpp"
 

@@ -1,5 +1,5 @@
-// Multiplication and division that the lx106 has no instructions for. The compiler calls them by these names; an
-// ESP8266 has them in its ROM, and so its libgcc has not.
+// Multiplication and division for which the lx106 has no instructions. The compiler calls them by these names; an
+// ESP8266 has them in its ROM, so that its libgcc does not.
 #include <bit>
 #include <cstdint>
 
@@ -10,7 +10,7 @@ struct Division {
   Unsigned quotient, remainder;
 };
 
-/// `divisor` is not zero.
+/// `divisor` must not be zero.
 template <class Unsigned>
 Division<Unsigned> divide(Unsigned dividend, Unsigned divisor) {
   Division<Unsigned> result{0, dividend};
@@ -33,7 +33,7 @@ std::uint32_t magnitude(std::int32_t value) {
   return value < 0 ? -static_cast<std::uint32_t>(value) : static_cast<std::uint32_t>(value);
 }
 
-/// 32 by 32 bits, from four products of 16.
+/// Multiplies 32 by 32 bits with four products of 16 bits.
 std::uint64_t multiply(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t a_low = a & 0xFFFFU, a_high = a >> 16, b_low = b & 0xFFFFU, b_high = b >> 16;
   const std::uint32_t low = a_low * b_low, middle = a_high * b_low + (low >> 16);

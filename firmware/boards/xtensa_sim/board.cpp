@@ -1,5 +1,5 @@
-// The machine `sim`: console and the end of the program through the simulator's calls. The instruction simcall takes
-// the number of the call in a2, its arguments in a3 to a5.
+// The machine `sim`: console and end of the program are calls of the simulator. The instruction simcall takes the
+// number of the call in a2, its arguments in a3 to a5.
 #include "cortex_m/board.hpp"
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 int main();
 
 extern "C" {
-// Set by the linker script; only their addresses mean something.
+// The linker script sets these; only their addresses have a meaning.
 extern std::uint32_t bss_start[], bss_end[];
 
 [[noreturn, gnu::used]] void start_program();
@@ -19,8 +19,8 @@ extern std::uint32_t bss_start[], bss_end[];
 [[gnu::used]] extern const char debug_cause_words[] = "debug cause ";
 }
 
-// The machine begins at the first byte of its ROM, with all interrupts masked, as in an exception: rsil would not end
-// that.
+// The machine begins at the first byte of its ROM, with all interrupts masked and in exception mode, which rsil would
+// not end.
 asm(".section .reset, \"ax\"\n"
     ".global reset_handler\n"
     "reset_handler:\n\t"
@@ -38,13 +38,13 @@ asm(".section .reset, \"ax\"\n"
     "jx a0\n"
     ".text");
 
-// The places that the processor's vectors have behind VECBASE.
+// The offsets of the processor's vectors from VECBASE.
 asm(".section .vectors, \"ax\"\n"
     ".begin no-transform\n"
     "vectors:\n"
     ".org 0x10\n\t"  // debug: a break instruction
     "j debug_exception\n"
-    ".org 0x20\n\t"  // the interrupt that cannot be masked
+    ".org 0x20\n\t"  // non-maskable interrupt
     "j exception\n"
     ".org 0x30\n\t"  // in kernel mode
     "j exception\n"

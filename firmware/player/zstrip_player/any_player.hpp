@@ -1,5 +1,5 @@
-// For players of any scene: the player learns a scene's effects when it opens the scene. Meant for hosts, because all
-// pipelines are linked (library zstrip::core_any).
+// For players of any scene, which know a scene's effects only when they open it. Meant for hosts, because all pipelines
+// are linked (library zstrip::core_any).
 #pragma once
 
 #include "zstrip_player/player.hpp"

@@ -159,7 +159,7 @@ bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
   return true;
 }
 
-/// Does everything in fit() but begin a frame, so that its stack frame is gone when the frame begins.
+/// Does the work of fit() except for beginning a frame, so that its stack is free when the frame begins.
 bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options,
                      std::uint16_t row_step) {
   used_ = used_open_;
@@ -203,7 +203,7 @@ bool Player::fit(std::uint16_t width, std::uint16_t height, PixelFormat format, 
                  std::uint16_t row_step) {
   is_fitted_ = prepare(width, height, format, options, row_step);
   if (!is_fitted_) return false;
-  is_fitted_ = begin();  // reports now, not in draw(), why a frame cannot begin
+  is_fitted_ = begin();  // reports errors of begin_frame now, not in draw()
   return is_fitted_;
 }
 
@@ -242,7 +242,7 @@ void Player::show_text(const char* text, bool with_rate, const Font& font) {
   text_[size] = 0;
   text_size_ = static_cast<std::uint8_t>(size);
   has_rate_ = with_rate;
-  has_clock_ = has_clock_ && !with_rate;  // counting begins anew
+  has_clock_ = has_clock_ && !with_rate;  // restarts counting
   font_ = font;
 }
 

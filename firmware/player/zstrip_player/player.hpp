@@ -17,7 +17,7 @@ namespace zstrip {
 
 /// A pipeline, and the effects that it draws.
 struct DrawnWith {
-  Effects effects;    ///< asked for, and what the pipeline has of its own
+  Effects effects;    ///< the required effects and those that the pipeline has in addition
   Pipeline pipeline;  ///< its functions
 };
 
@@ -31,12 +31,12 @@ DrawnWith drawn_with(Effects) {
   return {effects, {&detail::begin_frame<effects>, &detail::draw_strip<effects>, nullptr}};
 }
 
-/// Properties of a display that its size and format do not tell.
+/// Properties of a display that its size and format do not show.
 struct FitOptions {
   std::uint8_t strip_buffers = 1;  ///< 1 or 2; two for displays that send one while another is drawn
   bool split_columns = false;      ///< strips may be narrower than the picture
-  /// Rows of a strip, if a plan with so many fits; 0: the planner decides. With two buffers, more strips than are
-  /// fastest to draw may still save time: the bus has less to send before the first strip is drawn and after the last
+  /// Rows of a strip, if a plan with so many fits; 0: the planner decides. With two buffers, more strips than the
+  /// fastest number may still save time: the bus has less to send before the first strip is drawn and after the last
   /// one.
   std::uint16_t strip_rows = 0;
 };
@@ -64,12 +64,12 @@ class Player {
     if constexpr (requires { Panel::kRowStep; }) row_step = Panel::kRowStep;
     return fit(panel.width(), panel.height(), static_cast<PixelFormat>(panel.format()), options, row_step);
   }
-  /// As above; the number of rows in a strip is a multiple of `row_step`.
+  /// Does the same for a display of this size and format. The number of rows in a strip is a multiple of `row_step`.
   bool fit(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options = {},
            std::uint16_t row_step = 1);
 
-  /// 3. Sets the time, in milliseconds of any clock of the caller. From the first call on the scene's animation runs,
-  /// or a full turn in kTurnTime if the scene has none, and frames are counted for show_text.
+  /// 3. Sets the time, in milliseconds of any clock. After the first call the scene's animation runs, and frames are
+  /// counted for show_text. A scene without an animation rotates by 360 degrees in kTurnTime.
   void play(std::uint32_t now);
   static constexpr std::uint32_t kTurnTime = 8192;  ///< milliseconds
   /// Pauses the motion, or continues it.
@@ -82,7 +82,7 @@ class Player {
   std::uint32_t period() const;
 
   /// Moves the camera around the point of its axis that is closest to the world's y axis: to the right, and up. 65536
-  /// is a full turn; 0, 0 is the baked position.
+  /// is 360 degrees; 0, 0 is the baked position.
   void orbit(Angle right, Angle up) { right_ = right, up_ = up; }
   /// Enlarges the picture by its focal length. 100 is the baked size.
   void zoom(std::uint16_t percent) { zoom_ = percent; }
@@ -174,8 +174,8 @@ class Player {
 
   std::span<std::byte> memory_;
   ChoosePipeline choose_;
-  std::size_t used_ = 0;       ///< of memory_, from its start
-  std::size_t used_open_ = 0;  ///< of memory_, by the open scene
+  std::size_t used_ = 0;       ///< bytes of memory_, from its start
+  std::size_t used_open_ = 0;  ///< bytes of memory_ that the open scene uses
   SceneBlob baked_{};          ///< the open scene
   bool is_open_ = false, is_fitted_ = false, can_turn_ = false;
 
@@ -183,7 +183,7 @@ class Player {
   detail::MethodFrameState state_{};
   View view_{};
   Plan plan_{};
-  Camera camera_{};  ///< the baked one, fitted
+  Camera camera_{};  ///< the baked camera, fitted
   std::span<std::byte> arena_{}, strips_[2]{};
   std::span<Instance> instances_{};
   std::span<LineSet> lines_{};
@@ -191,11 +191,11 @@ class Player {
 
   std::uint32_t time_ = 0, now_ = 0, second_began_ = 0;
   bool has_clock_ = false, held_ = false;
-  std::uint16_t frames_ = 0;  ///< since second_began_
+  std::uint16_t frames_ = 0;  ///< frames since second_began_
   Angle right_ = 0, up_ = 0;
   std::uint16_t zoom_ = 100;
 
-  std::span<Font> fonts_{};  ///< the scene's and one more; so are labels_
+  std::span<Font> fonts_{};  ///< the scene's fonts and one more; the same for labels_
   std::span<Label> labels_{};
   Overlay overlay_{};
   Font font_{};

@@ -1,4 +1,4 @@
-// Text put together in an array, without a C library. What does not fit is left out.
+// Composes text in an array, without a C library. Text that does not fit is left out.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace zstrip::detail {
 
-/// The array always ends at a byte of 0, from `size` on.
+/// The array always has bytes of 0 from `size` on.
 class Words {
  public:
   explicit Words(std::span<char> to, std::size_t size = 0) : to_(to), size_(size) { to_[size_] = 0; }

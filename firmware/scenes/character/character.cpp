@@ -1,4 +1,4 @@
-// The character's tables: made for zstrip, all of it by the formulas of this folder.
+// The character's tables, computed by the formulas of this folder; made for zstrip.
 #include "zstrip_scenes/character.hpp"
 
 #include "../bounding_sphere.hpp"
@@ -68,14 +68,14 @@ consteval std::array<JointPose, kCharacterJoints> rest() {
   return result;
 }
 
-/// Zeros, so that they take no flash; written before they are read.
+/// Returns zeros, so that the poses take no flash; they are written before they are read.
 consteval std::array<JointPose, kCharacterJoints> no_poses() {
   std::array<JointPose, kCharacterJoints> result{};
   for (JointPose& pose : result) pose = {.rotation = {0, 0, 0, 0}, .translation = {0, 0, 0}, .scale = {0, 0, 0}};
   return result;
 }
 
-/// Every triangle's front is outside: on the side of its corners' normals.
+/// True if the front of every triangle is outside, on the side of its corners' normals.
 consteval bool fronts_are_outside() {
   for (const Triangle& t : kCut.triangles) {
     const Vertex &a = kCut.vertices[t.a], &b = kCut.vertices[t.b], &c = kCut.vertices[t.c];

@@ -1,5 +1,5 @@
-// The character's surface, worked out by the compiler: eight closed tubes around a skeleton. A tube is a row of
-// ellipses with half an ellipsoid at either end, cut into patches of 8 sides; each patch is a meshlet.
+// The character's surface, computed at compile time: eight closed tubes around a skeleton. A tube is a row of ellipses
+// with half an ellipsoid at either end, cut into patches of 8 sides; each patch is a meshlet.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace zstrip::scenes::character_shape {
 
-/// World units: the figure stands upright, looks at +z, its left is +x, and the origin is in its middle.
+/// A vector in world units. The figure stands upright and looks at +z, its left is +x, and the origin is in its middle.
 struct Vector {
   double x, y, z;
 };
@@ -27,7 +27,7 @@ consteval Vector unit(const Vector& v) {
   return {v.x / length, v.y / length, v.z / length};
 }
 
-/// How high the middle is above the ground.
+/// The height of the middle above the ground.
 inline constexpr double kMiddle = 0.92;
 
 enum JointName : std::uint8_t {
@@ -55,7 +55,7 @@ static_assert(kRightToes + 1 == kCharacterJoints);
 
 struct JointPlace {
   std::uint16_t parent;
-  Vector place;  ///< above the ground
+  Vector place;  ///< relative to the ground
 };
 inline constexpr JointPlace kJointPlaces[kCharacterJoints] = {{kNoJoint, {0, 0.95, 0}},
                                                               {kPelvis, {0, 1.08, 0}},
@@ -77,30 +77,30 @@ inline constexpr JointPlace kJointPlaces[kCharacterJoints] = {{kNoJoint, {0, 0.9
                                                               {kRightShin, {-0.11, 0.09, -0.01}},
                                                               {kRightFoot, {-0.115, 0.04, 0.13}}};
 
-/// An ellipse across a tube. Of upright tubes `at` is a height, `aside` a z and `half_aside` along z; of a lying one,
-/// along z, it is the other way round.
+/// An ellipse across a tube. For upright tubes `at` is a height, `aside` a z and `half_aside` is along z; for a tube
+/// along z, height and z are exchanged.
 struct Ellipse {
   double at, x, aside, half_x, half_aside;
 };
-/// Where vertices pass from one joint to the next: from `at` - `reach` to `at` + `reach`.
+/// The range in which vertices pass from one joint to the next: from `at` - `reach` to `at` + `reach`.
 struct Bend {
   double at, reach;
   std::uint8_t to;
 };
-/// Part of the texture: texels to the right and down, a whole tube each.
+/// A part of the texture for a whole tube: texels to the right and down.
 struct TexelArea {
   double left, top, width, height;
 };
 
-/// Rings number 0 .. all of `patch_rings`; the first and the last are poles.
+/// A tube. Rings have the numbers 0 .. sum of `patch_rings`; the first and the last are poles.
 struct Tube {
   bool upright;
-  bool mirrored;  ///< x has the other sign
+  bool mirrored;  ///< x is negated
   std::size_t sides;
   std::span<const std::size_t> patch_rings;
   std::span<const Ellipse> ellipses;
-  double first_cap, last_cap;  ///< how long its ends are
-  std::uint8_t joint;          ///< at its first ring
+  double first_cap, last_cap;  ///< lengths of its ends
+  std::uint8_t joint;          ///< joint of its first ring
   std::span<const Bend> bends;
   TexelArea texels;
 
@@ -140,7 +140,7 @@ inline constexpr Bend kRightLegBends[] = {{0.10, 0.05, kRightShin}, {0.50, 0.09,
 inline constexpr Bend kLeftFootBends[] = {{0.13, 0.04, kLeftToes}};
 inline constexpr Bend kRightFootBends[] = {{0.13, 0.04, kRightToes}};
 
-// Where texture.hpp paints what.
+// The areas that texture.hpp paints.
 inline constexpr TexelArea kShirtTexels{0, 0, 32, 32}, kHeadTexels{32, 0, 32, 32}, kArmTexels{0, 32, 32, 32},
     kLegTexels{32, 32, 32, 24}, kShoeTexels{32, 56, 32, 8};
 
@@ -154,7 +154,7 @@ inline constexpr Tube kTubes[] = {
     {false, false, 16, kFootPatches, kFoot, 0.05, 0.07, kLeftFoot, kLeftFootBends, kShoeTexels},
     {false, true, 16, kFootPatches, kFoot, 0.05, 0.07, kRightFoot, kRightFootBends, kShoeTexels}};
 
-/// Between neighbouring ellipses by cubics whose slopes are those from neighbour to neighbour.
+/// Interpolates between neighbouring ellipses with cubics, whose slopes are those from neighbour to neighbour.
 constexpr Ellipse ellipse_at(std::span<const Ellipse> ellipses, double at) {
   std::size_t i = 0;
   while (i + 2 < ellipses.size() && ellipses[i + 1].at < at) ++i;
@@ -171,7 +171,7 @@ constexpr Ellipse ellipse_at(std::span<const Ellipse> ellipses, double at) {
   return {at, between(&Ellipse::x), between(&Ellipse::aside), between(&Ellipse::half_x), between(&Ellipse::half_aside)};
 }
 
-/// Where a ring is, and how large a part of its ellipse it has: rings of the ends are a sphere's, by equal angles.
+/// The place of a ring, and its size relative to its ellipse: rings of the ends are those of a sphere, at equal angles.
 struct Ring {
   double at, size;
 };
@@ -202,7 +202,8 @@ struct Vertex {
 struct Direction {
   double sine, cosine;
 };
-/// From the back, or of a foot from below, by way of x: closer together in front.
+/// Returns a direction around a tube, beginning at the back (for a foot, below) by way of x; directions are closer
+/// together in front.
 consteval Direction direction(std::size_t side, std::size_t sides) {
   const double whole = 2 * compile_time::kPi * static_cast<double>(side % sides) / static_cast<double>(sides);
   const double angle = whole + 0.45 * compile_time::sine(whole);
@@ -243,7 +244,7 @@ constexpr std::size_t triangles_of(const Tube& tube) { return 2 * tube.sides * (
 
 inline constexpr std::size_t kMaxRings = 21, kMaxSides = 24;
 
-/// All of a tube's surface, ring after ring, both ends of each ring included.
+/// The whole surface of a tube, ring after ring, with both ends of each ring.
 struct Grid {
   std::array<std::array<Vertex, kMaxSides + 1>, kMaxRings + 1> vertices{};
 };
@@ -283,11 +284,11 @@ consteval Grid grid_of(const Tube& tube) {
   return grid;
 }
 
-/// All that the mesh consists of, patch after patch.
+/// All tables of the mesh, patch after patch.
 struct Cut {
   std::array<Vertex, kCharacterVertices> vertices{};
   std::array<Triangle, kCharacterTriangleCount> triangles{};
-  std::array<Meshlet, kCharacterMeshletCount> meshlets{};  ///< without spheres
+  std::array<Meshlet, kCharacterMeshletCount> meshlets{};  ///< without bounding spheres
 };
 
 consteval Cut cut() {

@@ -1,4 +1,4 @@
-// The character's texture, painted by the compiler: shirt, head, sleeve and arm, trousers and shoes.
+// The character's texture, computed at compile time: shirt, head, sleeve and arm, trousers and shoes.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline constexpr std::uint16_t kSkinTexel = texel(226, 172, 138), kHair = texel(
                                kShoe = texel(120, 72, 40), kSole = texel(40, 36, 34), kWhite = texel(248, 248, 248),
                                kPupil = texel(36, 44, 60), kMouth = texel(170, 72, 66);
 
-// x 0..31 goes around from the back, 15 and 16 are in front; y 0..31 from top to bottom.
+// x 0..31 goes around from the back, with 15 and 16 in front; y 0..31 goes from top to bottom.
 constexpr std::uint16_t shirt(std::size_t x, std::size_t y) {
   if (y >= 27) return x % 8 == 0 ? kSeam : kTrousers;
   if (y >= 25) return x == 15 || x == 16 ? kWhite : kBelt;

@@ -1,5 +1,5 @@
-// The character's walk, worked out by the compiler: two steps a second, on the spot. Angles are sines of the phase,
-// chosen by eye; 0 is where the left heel touches the ground.
+// The character's walk, computed at compile time: two steps a second, on the spot. Angles are sines of the phase,
+// chosen by eye; at phase 0 the left heel touches the ground.
 #pragma once
 
 #include <array>
@@ -17,13 +17,13 @@ consteval Quaternion about_x(double angle) {
 consteval Quaternion about_y(double angle) {
   return {0, compile_time::sine(angle / 2), 0, compile_time::cosine(angle / 2)};
 }
-/// First b, then a.
+/// Rotates by b, then by a.
 consteval Quaternion operator*(const Quaternion& a, const Quaternion& b) {
   return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
           a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
 
-/// Leg and arm of one side. Turned about x by a positive angle what hangs down swings to the back.
+/// Leg and arm of one side. A positive rotation about x swings a hanging limb to the back.
 struct Side {
   double thigh, shin, foot, toes, arm, forearm;
 };
@@ -39,7 +39,7 @@ consteval Side side_at(double phase) {
   return side;
 }
 
-/// Each joint as its parent sees it.
+/// Returns the rotation of each joint relative to its parent.
 consteval std::array<Quaternion, kCharacterJoints> rotations_at(double phase) {
   const double forward = compile_time::cosine(phase);
   std::array<Quaternion, kCharacterJoints> joints{};
@@ -75,7 +75,7 @@ consteval std::array<Keyframe, kCharacterJoints * kCharacterKeys> keyframes() {
     const double share = static_cast<double>(key) / (kCharacterKeys - 1), phase = 2 * compile_time::kPi * share;
     const auto rotations = rotations_at(phase);
     for (std::size_t joint = 0; joint < kCharacterJoints; ++joint) {
-      // Lowest where both feet touch the ground.
+      // The figure is lowest when both feet touch the ground.
       const double height = joint == kPelvis ? -0.028 - 0.02 * compile_time::cosine(2 * phase) : 0;
       const Quaternion& q = rotations[joint];
       const auto rounded = [](double c) consteval {

@@ -9,8 +9,8 @@ namespace {
 
 constexpr auto kShape = knot_shape::vertices();
 
-/// Two triangles for each quad of the closed grid, in the order of the workload and with its first vertices, but
-/// counter-clockwise from outside: the workload's own (a, b, c), (a, c, d) look inwards.
+/// Returns two triangles for each quad of the closed grid, in the order of the workload and with its first vertices,
+/// but counter-clockwise from outside: the workload's own (a, b, c), (a, c, d) face inwards.
 consteval std::array<Triangle, kKnotTriangleCount> closed_grid() {
   const auto index = [](std::size_t ring, std::size_t side) {
     return static_cast<std::uint16_t>(ring % kKnotRings * kKnotRingVertices + side % kKnotRingVertices);
@@ -27,7 +27,7 @@ consteval std::array<Triangle, kKnotTriangleCount> closed_grid() {
   return triangles;
 }
 
-/// FNV-1a over the coordinates, to prove that every compiler gets the same bits out of floating point.
+/// Returns FNV-1a of the coordinates, to prove that every compiler gets the same bits from floating point.
 consteval std::uint32_t fingerprint(const std::array<Position, kKnotVertices>& positions) {
   std::uint32_t hash = 2166136261;
   for (const Position& p : positions) {

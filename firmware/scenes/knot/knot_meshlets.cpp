@@ -13,7 +13,7 @@ constexpr auto kShape = knot_shape::vertices();
 constexpr std::size_t kPatchesAround = kKnotRingVertices / kKnotPatchSides;
 static_assert(kKnotRings % kKnotPatchRings == 0 && kKnotRingVertices % kKnotPatchSides == 0);
 
-/// A place in the grid of the open surface: ring 0..kKnotRings, side 0..kKnotRingVertices, both ends included.
+/// A point in the grid of the open surface: ring 0..kKnotRings, side 0..kKnotRingVertices, both ends included.
 struct GridPoint {
   std::size_t ring, side;
 };
@@ -24,7 +24,7 @@ constexpr GridPoint grid_point(std::size_t cut_vertex) {
           patch % kPatchesAround * kKnotPatchSides + local % (kKnotPatchSides + 1)};
 }
 
-/// One element for each vertex of the cut mesh, from that of the whole mesh.
+/// Returns one element for each vertex of the cut mesh, from the whole mesh.
 template <class T>
 consteval std::array<T, kKnotMeshletsVertices> cut(const std::array<T, kKnotVertices>& whole) {
   std::array<T, kKnotMeshletsVertices> result{};
@@ -35,7 +35,7 @@ consteval std::array<T, kKnotMeshletsVertices> cut(const std::array<T, kKnotVert
   return result;
 }
 
-/// Eight repeats along the tube, one around it.
+/// Repeats the texture eight times along the tube, once around it.
 consteval std::array<TexCoord, kKnotMeshletsVertices> texcoords() {
   std::array<TexCoord, kKnotMeshletsVertices> result{};
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -82,7 +82,7 @@ consteval std::array<Meshlet, kKnotPatches> meshlets(const std::array<Position, 
   return result;
 }
 
-/// Tiles of 8 x 8 texels in two colours, with a light joint on two sides of each.
+/// Returns tiles of 8 x 8 texels in two colours, with a light joint on two sides of each.
 consteval std::array<std::uint16_t, kKnotTexels.size()> texels() {
   constexpr std::uint16_t kJoint = 0xEF5B, kDark = 0x9A46, kLight = 0xDD6B;  // RGB565
   std::array<std::uint16_t, kKnotTexels.size()> result{};

@@ -1,4 +1,4 @@
-// The knot's surface, worked out by the compiler: a tube of radius 0.13 around a trefoil of scale 0.28.
+// The knot's surface, computed at compile time: a tube of radius 0.13 around a trefoil of scale 0.28.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@ consteval Vector unit(const Vector& v) {
   return {v.x / length, v.y / length, v.z / length};
 }
 
-/// The trefoil; t in radians.
+/// Returns a point of the trefoil; t in radians.
 consteval Vector centre_line(double t) {
   using compile_time::cosine, compile_time::sine;
   constexpr double kScale = 0.28;
   return {kScale * (sine(t) + 2 * sine(2 * t)), kScale * (cosine(t) - 2 * cosine(2 * t)), -kScale * sine(3 * t)};
 }
 
-/// Ring after ring, vertex i * kKnotRingVertices + j. The tangent is the workload's forward difference over 0.001
-/// radians, not the derivative: the two differ by several steps of the position grid.
+/// Returns the vertices ring after ring, vertex i * kKnotRingVertices + j. The tangent is the workload's forward
+/// difference over 0.001 radians, not the derivative: the two differ by several steps of the position grid.
 consteval std::array<Vertex, kKnotVertices> vertices() {
   constexpr double kRadius = 0.13;
   std::array<Vertex, kKnotVertices> result{};
@@ -41,7 +41,7 @@ consteval std::array<Vertex, kKnotVertices> vertices() {
     const Vector c = centre_line(t);
     const Vector ahead = centre_line(t + 0.001);
     const Vector tangent = unit({ahead.x - c.x, ahead.y - c.y, ahead.z - c.z});
-    const Vector side = unit({-tangent.y, tangent.x, 0});  // the trefoil is nowhere parallel to z
+    const Vector side = unit({-tangent.y, tangent.x, 0});  // the trefoil is never parallel to z
     const Vector other = {-tangent.z * side.y, tangent.z * side.x, tangent.x * side.y - tangent.y * side.x};
     for (std::size_t j = 0; j < kKnotRingVertices; ++j) {
       const double angle = 2 * compile_time::kPi * static_cast<double>(j) / kKnotRingVertices;
@@ -80,7 +80,7 @@ consteval std::array<Normal, kKnotVertices> normals(const std::array<Vertex, kKn
 }
 
 consteval std::array<Colour, kKnotVertices> colours(const std::array<Vertex, kKnotVertices>& vertices) {
-  const auto channel = [](double value) consteval { return static_cast<std::uint8_t>(127.5 + 127 * value); };  // down
+  const auto channel = [](double value) consteval { return static_cast<std::uint8_t>(127.5 + 127 * value); };  // floor
   std::array<Colour, kKnotVertices> result{};
   for (std::size_t i = 0; i < kKnotVertices; ++i) {
     const Vector& n = vertices[i].normal;

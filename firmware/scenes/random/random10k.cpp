@@ -1,5 +1,5 @@
-// The data of workload R10k, and its meshlets: runs of triangles in the order in which they were drawn, so each
-// reaches almost anywhere. They spare memory, not time.
+// The data of workload R10k, and its meshlets: runs of triangles in the order in which they were drawn at random, so
+// that each meshlet covers most of the picture. They save memory, not time.
 #include "bounding_sphere.hpp"
 #include "triangle_soup.hpp"
 #include "zstrip/scene/validate.hpp"

@@ -7,17 +7,18 @@
 
 namespace zstrip::scenes {
 
-/// `size_thousandths`: how far the corners spread, in 1/1000 world units; even. The workload draws, for each triangle,
-/// three numbers for the centre within +-0.9, three for the colour, then for each corner three within +-size, of which
-/// half is added to the centre, and two for texture coordinates. A number is the generator's upper 24 bits, a fraction.
+/// Returns the triangles. `size_thousandths`: the spread of the corners, in 1/1000 world units; even. For each triangle
+/// the workload draws three random numbers for the centre within +-0.9, three for the colour, then for each corner
+/// three within +-size, half of which is added to the centre, and two for texture coordinates. A number is the upper 24
+/// bits of the generator, as a fraction.
 template <std::size_t count>
 consteval TriangleSoup<count> random_triangles(std::int32_t size_thousandths, Fixed half_extent) {
   WorkloadRandom random(12345);
   const auto within = [&random](std::int64_t limit) {  // +-limit thousandths, in 2^-24 thousandths: exact
     return 2 * limit * static_cast<std::int64_t>(random.next() >> 8) - (limit << 24);
   };
-  const auto on_grid = [half_extent](std::int64_t length) {  // 2^-24 thousandths to grid, halves up
-    // length / (1000 * 2^24) * 32768 * 2^16 / half_extent, over twice the divisor
+  const auto on_grid = [half_extent](std::int64_t length) {  // from 2^-24 thousandths to grid steps, halves up
+    // length / (1000 * 2^24) * 32768 * 2^16 / half_extent, as a fraction with twice the divisor.
     const std::int64_t divisor = std::int64_t{1000} * half_extent;
     const std::int64_t dividend = 2 * 128 * length + divisor;
     const std::int64_t step = dividend / (2 * divisor) - (dividend % (2 * divisor) < 0 ? 1 : 0);

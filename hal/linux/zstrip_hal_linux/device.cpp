@@ -1,4 +1,4 @@
-// Opening the files of devices, and what to say when Linux refuses.
+// Opens the files of devices, and explains refusals of Linux to the user.
 #include "zstrip_hal_linux/device.hpp"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// Opening the files of devices, and what to say when Linux refuses.
+// Opens the files of devices, and explains refusals of Linux to the user.
 #pragma once
 
 #include <cstdint>

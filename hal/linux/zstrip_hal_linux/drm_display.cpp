@@ -80,7 +80,7 @@ std::uint32_t crtc_for(int card, const drmModeRes& resources, const drmModeConne
   return 0;
 }
 
-/// "VGA-1: 1024x768, 800x600".
+/// Returns a line such as "VGA-1: 1024x768, 800x600".
 std::string line_of(const drmModeConnector& connector) {
   return name_of(connector) + ": " + (is_usable(connector) ? sizes_of(connector) : "no screen");
 }

@@ -18,7 +18,7 @@
 namespace zstrip::hal {
 
 struct DrmHead;    // a connector, and the card's file
-struct DrmScreen;  // the card, the CRTC and what was on it before
+struct DrmScreen;  // the card, the CRTC and its former picture
 
 /// Lists the connectors of a graphics card, with one line of text for each.
 Outcome<std::vector<std::string>> drm_connectors(const std::string& path);
@@ -32,8 +32,8 @@ enum class DrmFormat : std::uint8_t {
 /// Selects connector, size and format.
 struct DrmOptions {
   std::string connector;            ///< as in "HDMI-A-1"; empty: the first one with a screen
-  std::optional<ScreenSize> size;   ///< one of the screen's modes; none: the one that it prefers
-  std::optional<DrmFormat> format;  ///< none: what the driver prefers, or else the other
+  std::optional<ScreenSize> size;   ///< one of the screen's modes; none: the preferred one
+  std::optional<DrmFormat> format;  ///< none: the driver's preferred format, or else the other one
 };
 
 /// Takes RGB565. A frame appears whole, at a vertical blank: end_frame() requests the flip and returns. The next

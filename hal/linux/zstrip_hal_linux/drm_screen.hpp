@@ -51,13 +51,13 @@ struct DrmScreen {
   /// Returns when no flip is under way.
   Error wait_for_flip(int milliseconds);
 
-  std::shared_ptr<const FileDescriptor> card;  ///< of all screens that are shown at once
+  std::shared_ptr<const FileDescriptor> card;  ///< shared by all screens that are open at once
   std::uint32_t connector = 0;
   std::uint32_t crtc = 0;
   drmModeModeInfo mode{};
   DrmCrtc former;
   std::array<DumbBuffer, 2> buffers;
-  std::size_t back = 1;  ///< the buffer that is not shown; while a flip is under way: that will not be
+  std::size_t back = 1;  ///< index of the buffer that is not shown, or will not be after the pending flip
   std::unique_ptr<bool> flipping = std::make_unique<bool>(false);  ///< a flip is under way
 };
 

@@ -19,8 +19,8 @@ namespace zstrip::hal {
 
 /// The requested mode.
 struct FramebufferOptions {
-  std::optional<ScreenSize> size;      ///< none: as it is
-  std::optional<std::uint32_t> depth;  ///< bits a pixel, 16, 24 or 32; none: as it is
+  std::optional<ScreenSize> size;      ///< none: unchanged
+  std::optional<std::uint32_t> depth;  ///< bits a pixel, 16, 24 or 32; none: unchanged
 };
 
 /// A framebuffer's file and its former mode, which the destructor sets again.
@@ -29,7 +29,7 @@ class FramebufferFile {
   /// Takes the file.
   FramebufferFile(FileDescriptor file, const fb_var_screeninfo& former_mode)
       : file_(std::move(file)), former_mode_(former_mode) {}
-  /// The moved-from object sets nothing any more.
+  /// The moved-from object no longer sets a mode.
   FramebufferFile(FramebufferFile&&) = default;
   FramebufferFile& operator=(FramebufferFile&&) = delete;
   ~FramebufferFile();
@@ -67,7 +67,7 @@ class FramebufferDisplay {
   std::uint16_t width() const { return memory_.width; }
   std::uint16_t height() const { return memory_.height; }
   PixelFormat format() const { return PixelFormat::rgb565; }
-  const PixelLayout& layout() const { return layout_; }  ///< the driver's
+  const PixelLayout& layout() const { return layout_; }  ///< of the driver
 
   Error begin_frame() { return Error::none; }
   Error write(const Area& area, std::span<const std::byte> pixels) { return writer_.write(memory_, area, pixels); }
@@ -84,7 +84,7 @@ class FramebufferDisplay {
   FramebufferFile file_;
   Mapping mapping_;
   std::span<std::byte> device_memory_;
-  VideoMemory memory_;  ///< the part of it that shows
+  VideoMemory memory_;  ///< the visible part of the device's memory
   PixelLayout layout_;
   PixelWriter writer_;
 };

@@ -1,4 +1,4 @@
-// Finds lines by name or chip and offset, requests them, and names the user of those that are busy.
+// Finds lines by name or by chip and offset, requests them, and names the program that uses a busy line.
 #include "zstrip_hal_linux/gpio.hpp"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ namespace zstrip::hal {
 /// A line of a GPIO chip.
 struct GpioLine {
   std::string chip;     ///< the path of its device
-  unsigned offset = 0;  ///< of the line in its chip
+  unsigned offset = 0;  ///< number of the line in its chip
   friend bool operator==(const GpioLine&, const GpioLine&) = default;
 };
 

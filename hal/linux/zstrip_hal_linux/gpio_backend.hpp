@@ -9,7 +9,7 @@
 namespace zstrip::hal::gpio {
 
 struct LineInfo {
-  std::string name;      ///< empty: it has none
+  std::string name;      ///< empty: no name
   std::string consumer;  ///< the program that uses it, by its own name; may be empty
   bool used = false;
 };

@@ -11,7 +11,7 @@ namespace zstrip::hal {
 enum class ConsoleMode : std::uint8_t {
   text,      ///< it draws
   graphics,  ///< it draws nothing
-  none,      ///< there is none
+  none,      ///< the machine has no console
 };
 
 /// Returns the mode; ConsoleMode::none also without the permission to read it.

@@ -1,4 +1,4 @@
-// A panel on I2C by the kernel's driver.
+// A panel on I2C through the kernel's driver.
 #include "zstrip_hal_linux/i2cdev.hpp"
 
 #include <linux/i2c-dev.h>

@@ -16,9 +16,9 @@ struct Fault {
 template <class T>
 class [[nodiscard]] Outcome {
  public:
-  /// Success.
+  /// Makes a success.
   Outcome(T value) : content_(std::move(value)) {}  // NOLINT(google-explicit-constructor): `return value;`
-  /// No value.
+  /// Makes a failure.
   Outcome(Fault fault) : content_(std::move(fault)) {}  // NOLINT(google-explicit-constructor)
 
   /// True if there is a value.

@@ -6,7 +6,7 @@
 
 namespace zstrip::hal {
 
-inline constexpr std::uint16_t kMaxScreen = 4096;  ///< pixels, each side; what zstrip::core draws
+inline constexpr std::uint16_t kMaxScreen = 4096;  ///< pixels, each side; the limit of zstrip::core
 
 /// Size of a screen, or of one of its modes.
 struct ScreenSize {

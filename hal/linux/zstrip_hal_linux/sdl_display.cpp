@@ -63,7 +63,7 @@ Outcome<SdlDisplay> SdlDisplay::open(const std::string& title, const ScreenSize&
     return Fault{std::string("no window can be opened: ") + why +
                  "; WAYLAND_DISPLAY or DISPLAY must name a desktop of this user"};
   };
-  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // signals are the program's
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // the program handles signals
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return failed();
   std::unique_ptr<Parts, Close> parts(new Parts{.writer = *PixelWriter::create(kXrgb8888Layout), .strip = {}});
   if (!has_desktop()) return failed("no desktop answers");

@@ -1,4 +1,4 @@
-// Waiting by sleeping.
+// A clock that sleeps.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace zstrip::hal {
 
-/// For panels' drivers in a process.
+/// The clock for panel drivers in a process.
 struct SleepingClock {
   /// Sleeps for at least this time.
   void wait(std::uint32_t microseconds) { std::this_thread::sleep_for(std::chrono::microseconds(microseconds)); }

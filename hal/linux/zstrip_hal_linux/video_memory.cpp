@@ -11,7 +11,7 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::uint32_t bits(const BitField& field) { return ((1U << field.length) - 1U) << field.offset; }
 
-/// The part of `colour` (RGB565) that lies in `source`, spread over `target`.
+/// Returns the part of `colour` (RGB565) that lies in `source`, spread over `target`.
 std::uint32_t spread(std::uint32_t colour, const BitField& source, const BitField& target) {
   std::uint32_t result = 0;
   for (int bit = 0; bit < target.length; ++bit) {

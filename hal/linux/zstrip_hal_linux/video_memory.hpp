@@ -14,7 +14,7 @@ namespace zstrip::hal {
 
 /// The bits of a colour in a pixel.
 struct BitField {
-  std::uint8_t offset = 0;  ///< of the lowest bit
+  std::uint8_t offset = 0;  ///< number of the lowest bit
   std::uint8_t length = 0;  ///< 1..16
   friend constexpr bool operator==(const BitField&, const BitField&) = default;
 };
@@ -54,7 +54,7 @@ class PixelWriter {
   void write_row(std::byte* to, const std::byte* from, std::uint16_t width) const;
 
   PixelLayout layout_;
-  bool copies_ = false;  ///< the layout is that of the source
+  bool copies_ = false;  ///< the layout is RGB565
   // Each bit of the result is one bit of the source, so each of a pixel's two bytes has its own table.
   std::array<std::uint32_t, 256> of_low_{};
   std::array<std::uint32_t, 256> of_high_{};

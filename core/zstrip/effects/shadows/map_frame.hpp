@@ -16,7 +16,7 @@ inline bool casts(const Scene& scene, const Instance& instance) {
   return casts_shadow(scene.meshes[instance.mesh].shadow) && material.depth_write && !is_blended(scene, material);
 }
 
-/// Initialises and returns the state. The scene's lights are reordered.
+/// Initialises and returns the state, whose scene has the shadow's light last.
 ShadowState& begin_state(FrameState& frame, const Scene& scene);
 /// Prepares the instances and strips of `light`, a separate frame in the memory of `frame`.
 Status prepare_map(FrameState& light, const FrameState& frame, const Scene& casters, const LightReach& reach,

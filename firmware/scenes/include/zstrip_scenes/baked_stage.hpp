@@ -1,5 +1,5 @@
-// Sets a baked scene in motion, one from a header or from a blob. Boards, zstrip-panel and the host command stage with
-// these functions, so that frame n is the same picture everywhere.
+// Sets a baked scene, from a header or a blob, in motion. Boards, zstrip-panel and the host command all use these
+// functions, so that frame n is the same picture everywhere.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace zstrip::scenes {
 
-/// A scene at frame 0, and its motion: the animation, or the turn if there are no tracks.
+/// A scene at frame 0, and its motion: the animation, or the rotation if there are no tracks.
 struct AtRest {
   Scene scene;
   Camera camera;
@@ -22,7 +22,7 @@ struct AtRest {
   Turn turn{};
 };
 
-/// The data that must lie in RAM. Everything else stays constant.
+/// The data that must be in RAM. All other data stays constant.
 struct MovedParts {
   std::span<Instance> instances;  ///< as many as the scene has
   std::span<LineSet> lines{};     ///< as many as the scene has, if turns_lines
@@ -47,8 +47,8 @@ inline bool can_turn(const AtRest& baked) {
          (!turns_lines(baked.animation, baked.turn) || std::ranges::all_of(baked.scene.lines, can));
 }
 
-/// Frame `frame` of `frames` (> 0) that show the animation once, or else a full turn, for which can_turn() must be
-/// true unless it is frame 0. The scene reads `parts`.
+/// Returns frame `frame` of `frames` (> 0) that show the animation once, or else a full rotation, for which can_turn()
+/// must be true except for frame 0. The scene reads `parts`.
 inline BakedFrame stage(const AtRest& baked, std::uint32_t frame, std::uint32_t frames, const MovedParts& parts) {
   BakedFrame staged{baked.scene, baked.camera};
   const auto lend_instances = [&] {

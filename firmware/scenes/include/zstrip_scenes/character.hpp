@@ -17,7 +17,7 @@ inline constexpr std::size_t kCharacterPatchSides = 8, kCharacterMaxPatchRings =
 inline constexpr std::size_t kCharacterMeshletVertices = (kCharacterPatchSides + 1) * (kCharacterMaxPatchRings + 1);
 inline constexpr std::size_t kCharacterMeshletTriangles = 2 * kCharacterPatchSides * kCharacterMaxPatchRings;
 inline constexpr std::size_t kCharacterJoints = 19;
-inline constexpr std::size_t kCharacterKeys = 9;         // of a joint
+inline constexpr std::size_t kCharacterKeys = 9;         // keyframes of a joint
 inline constexpr std::uint32_t kCharacterStride = 1000;  // milliseconds, two steps
 inline constexpr std::uint32_t kCharacterFrameTime = 40;
 inline constexpr Fixed kCharacterHalfExtent = fixed(1.0);
@@ -37,7 +37,7 @@ extern const std::array<Track, kCharacterJoints> kCharacterTracks;
 extern const std::array<Keyframe, kCharacterJoints * kCharacterKeys> kCharacterKeyframes;
 extern const std::array<std::uint16_t, kCharacterTexelCount> kCharacterTexels;
 
-/// As it was modelled.
+/// The mesh as it was modelled.
 inline constexpr Mesh kCharacterBindMesh[] = {
     {.positions = kCharacterPositions,
      .normals = kCharacterNormals,
@@ -54,7 +54,7 @@ inline constexpr Skin kCharacterSkin{.mesh = &kCharacterBindMesh[0],
 inline constexpr Animation kCharacterWalk{
     .tracks = kCharacterTracks, .keyframes = kCharacterKeyframes, .duration = kCharacterStride};
 
-/// The moving data, in RAM: the joints, and vertices of one meshlet at a time.
+/// The moving data, in RAM: the joints, and the vertices of one meshlet at a time.
 struct CharacterInRam {
   std::array<JointPose, kCharacterJoints> joints;
   std::array<Transform, kCharacterJoints> matrices;
@@ -63,7 +63,7 @@ struct CharacterInRam {
 };
 extern CharacterInRam character_in_ram;
 extern Skinning character_skinning;
-/// Poses the figure as it is in this frame, 25 a second.
+/// Poses the figure for a frame, 25 frames a second.
 Status pose_character(std::uint32_t frame);
 
 inline constexpr Mesh kCharacterMesh[] = {[] {
@@ -73,11 +73,11 @@ inline constexpr Mesh kCharacterMesh[] = {[] {
 }()};
 inline constexpr Material kCharacterMaterial[] = {{.texture = 0, .lit = true, .smooth = true}};
 inline constexpr Texture kCharacterTexture[] = {{kCharacterTexels, kCharacterTextureLog2, kCharacterTextureLog2}};
-/// Turned half to the side.
+/// Rotated to show the figure half from the side.
 inline constexpr Instance kCharacterInstance[] = {
     {.transform = {{{fixed(0.8), 0, fixed(0.6), 0}, {0, kFixedOne, 0, fixed(0.02)}, {fixed(-0.6), 0, fixed(0.8), 0}}}}};
 
-/// At rest.
+/// The scene at rest.
 inline constexpr BuiltIn character{
     .name = "character",
     .description = "a figure with a skeleton, textured, lit, Gouraud shaded, 4672 triangles",

@@ -1,5 +1,5 @@
-// Sine and square root for values that the compiler works out: consteval, so no floating point ever reaches a target,
-// and without libm, so every compiler gets the same bits (the four operations of IEEE doubles are exact about it).
+// Sine and square root at compile time. They are consteval, so that no floating point reaches a target, and do not use
+// libm, so that every compiler gets the same bits (the four operations of IEEE doubles are exactly defined).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace zstrip::scenes::compile_time {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// Newton's method from above, until it stops falling; value >= 0.
+/// Newton's method from above, until the value no longer falls; value >= 0.
 consteval double square_root(double value) {
   if (value == 0) return 0;
   double root = value > 1 ? value : 1;
@@ -21,7 +21,7 @@ consteval double square_root(double value) {
   }
 }
 
-/// |radians| < 1000; Taylor's series within half a turn, about 1e-15 off.
+/// |radians| < 1000. Taylor's series within half a circle, with an error of about 1e-15.
 consteval double sine(double radians) {
   while (radians > kPi) radians -= 2 * kPi;
   while (radians < -kPi) radians += 2 * kPi;
@@ -35,13 +35,13 @@ consteval double sine(double radians) {
 
 consteval double cosine(double radians) { return sine(radians + kPi / 2); }
 
-/// To the nearest integer, halves away from zero.
+/// Rounds to the nearest integer, halves away from zero.
 consteval std::int32_t nearest(double value) { return static_cast<std::int32_t>(value + (value < 0 ? -0.5 : 0.5)); }
 
-/// Not constexpr and never defined: where the compiler would have to call it, it stops and shows this name.
+/// Not constexpr and never defined: if the compiler would have to call it, it stops and shows this name.
 void position_outside_the_half_extent();
 
-/// A coordinate of a Position, checked by the compiler.
+/// Returns a coordinate of a Position, checked by the compiler.
 constexpr std::int16_t grid_step(std::int64_t step) {
   if (step < -32767 || step > 32767) position_outside_the_half_extent();
   return static_cast<std::int16_t>(step);

@@ -1,4 +1,4 @@
-// A cube of side 2 with a face's own vertices on each face, textured 64 x 64: the benchmarks' workload CT.
+// A cube of side 2, with separate vertices for each face, textured 64 x 64: the benchmarks' workload CT.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ extern const std::array<TexCoord, 24> kCubeTexcoords;
 extern const std::array<Triangle, 12> kCubeTriangles;
 extern const std::array<std::uint16_t, 1U << (2 * kCubeTextureLog2)> kCubeTexels;
 
-/// The cube for scenes that light it; the workload has no normals.
+/// The cube for scenes with light; the workload has no normals.
 inline constexpr Mesh kLitCube{.positions = kCubePositions,
                                .normals = kCubeNormals,
                                .colours = {},

@@ -1,5 +1,5 @@
-// A small scene for each effect of light or of fragments, in which nothing but the effect is worth looking at. Their
-// shapes are those of the room and the knot.
+// A small scene for each effect of light or fragments, which shows only this effect. Their shapes are those of the room
+// and the knot.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace zstrip::scenes {
 
-/// A box of half sides (across, up, deep) around (x, y, z).
+/// Returns a box of half sides (across, up, deep) around (x, y, z).
 consteval Instance block(std::uint16_t material, double across, double up, double deep, double x, double y, double z) {
   return {.mesh = 1,
           .material = material,
           .transform = {{{fixed(across), 0, 0, fixed(x)}, {0, fixed(up), 0, fixed(y)}, {0, 0, fixed(deep), fixed(z)}}}};
 }
 
-/// Looked at from `degrees` above the horizon.
+/// Returns a scene seen from `degrees` above the horizon.
 consteval BuiltIn effect_scene(const char* name, const char* description, const Scene& scene, const SceneCounts& counts,
                                double distance, double degrees, double focal) {
   return {.name = name,
@@ -27,7 +27,7 @@ consteval BuiltIn effect_scene(const char* name, const char* description, const 
           .focal_across = fixed(focal)};
 }
 
-// Light needs a uniform scale: what is flattened is unlit.
+// Light needs a uniform scale: flattened boxes are unlit.
 inline constexpr Material kFogMaterials[] = {{.texture = 1, .lit = false},
                                              {.colour = {225, 105, 70, 255}, .lit = true, .smooth = false},
                                              {.colour = {80, 150, 220, 255}, .lit = true, .smooth = false}};
@@ -55,7 +55,7 @@ inline constexpr Instance kPairInstances[] = {
     {.material = 0, .transform = {{{kFixedOne, 0, 0, fixed(-0.75)}, {0, kFixedOne, 0, 0}, {0, 0, kFixedOne, 0}}}},
     {.material = 1, .transform = {{{kFixedOne, 0, 0, fixed(0.75)}, {0, kFixedOne, 0, 0}, {0, 0, kFixedOne, 0}}}}};
 
-/// Two knots side by side, the one on the right with the effect.
+/// Returns two knots side by side; the right one has the effect.
 consteval BuiltIn pair_of_knots(const char* name, const char* description, const Scene& scene) {
   return effect_scene(name, description, scene,
                       {.instances = 2,
@@ -140,7 +140,7 @@ inline constexpr Material kGlassMaterials[] = {
     {.colour = {60, 200, 90, 110}, .lit = true, .smooth = false, .finish = 0},
     {.colour = {70, 90, 240, 110}, .lit = true, .smooth = false, .finish = 0},
     {.texture = 1, .lit = false, .smooth = false}};
-/// In an order that is wrong from every side: the opaque one last.
+/// Drawn in this order they are wrong from every side: the opaque one is last.
 inline constexpr Instance kGlassInstances[] = {
     block(0, 0.7, 0.7, 0.1, 0.25, 0.1, 0.7), block(1, 0.7, 0.7, 0.1, -0.2, 0, 0.25),
     block(2, 0.7, 0.7, 0.1, 0.1, -0.1, -0.6), block(3, 0.3, 0.3, 0.3, 0, 0, -0.1)};
@@ -190,7 +190,7 @@ inline constexpr BuiltIn palette =
     effect_scene("palette", "two boxes with the same texels, those of the right one indices of 4 bits", kPaletteScene,
                  count(kPaletteScene), 4.0, 20, 2.0);
 
-/// Squares of 8x8 texels, and the same picture half as large four times, down to one texel.
+/// Squares of 8x8 texels, followed by four pictures of half the size each, down to one texel.
 extern const std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> kChequerTexels;
 inline constexpr Texture kChequerTextures[] = {{.texels = kChequerTexels,
                                                 .log2_width = 4,
@@ -211,7 +211,7 @@ inline constexpr Mesh kFloorMesh[] = {{.positions = kFloorPositions,
                                        .texcoord_bits = 10}};
 inline constexpr Material kMipmapMaterials[] = {{.texture = 0, .lit = false, .smooth = false},
                                                 {.texture = 0, .lit = false, .smooth = false, .finish = 0}};
-/// A floor in the place (x, 0, z).
+/// Returns a floor at (x, 0, z).
 consteval Instance floor_at(std::uint16_t material, double x, double z) {
   Instance instance{.material = material};
   instance.transform.m[0][3] = fixed(x);
@@ -246,7 +246,7 @@ inline constexpr Scene kEnvironmentScene{.meshes = kKnotLitMesh,
 inline constexpr BuiltIn environment =
     pair_of_knots("environment", "two knots, of which the right one has an environment map", kEnvironmentScene);
 
-/// A ball of few triangles: each edge of an octahedron cut in four, its corners moved out to a sphere.
+/// A ball of few triangles: an octahedron whose edges are cut in four and whose corners are moved to a sphere.
 inline constexpr std::size_t kBallVertices = 66, kBallTriangleCount = 128;
 extern const std::array<Position, kBallVertices> kBallPositions;
 extern const std::array<Normal, kBallVertices> kBallNormals;
@@ -260,7 +260,7 @@ inline constexpr Mesh kBallMesh[] = {{.positions = kBallPositions,
 inline constexpr Material kLacqueredMaterials[] = {
     {.colour = {150, 60, 50, 255}, .lit = true, .smooth = true, .finish = 0},
     {.colour = {150, 60, 50, 255}, .lit = true, .smooth = Shading::pixel, .finish = 0}};
-/// A ball of half the unit's radius and more, `x` to the right.
+/// Returns a ball with a radius of more than half a unit, `x` to the right.
 consteval Instance ball(std::uint16_t material, double x) {
   return {.material = material,
           .transform = {{{fixed(0.65), 0, 0, fixed(x)}, {0, fixed(0.65), 0, 0}, {0, 0, fixed(0.65), 0}}}};
@@ -277,7 +277,7 @@ inline constexpr BuiltIn per_pixel =
     effect_scene("per_pixel", "two polished balls of few triangles, of which the right one is lit at its pixels",
                  kPerPixelScene, count(kPerPixelScene), 4.0, 20, 2.0);
 
-/// All of this page, in its order.
+/// Returns all scenes of this file, in its order.
 std::span<const BuiltIn> effect_scenes();
 
 }  // namespace zstrip::scenes

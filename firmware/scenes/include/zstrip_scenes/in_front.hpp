@@ -36,8 +36,8 @@ constexpr double squared_radius(const Scene& scene) {
 /// Returns the radius of the largest ball around the world's origin that a renderer with effect::unclipped can draw.
 constexpr double radius_in_front(const Camera& camera, const View& view) {
   constexpr double kPixels = 1000;                  // from the picture's centre
-  constexpr double kTimes = 32;                     // that the far side is as far away as the near one
-  const auto along = [&camera](const Vec3& axis) {  // of the eye
+  constexpr double kTimes = 32;                     // how many times as far away as the near side the far side may be
+  const auto along = [&camera](const Vec3& axis) {  // the eye's coordinate along an axis
     const auto times = [](Fixed a, Fixed b) { return static_cast<double>(a) * b / (1 << 30) / kFixedOne; };
     return times(axis.x, camera.eye.x) + times(axis.y, camera.eye.y) + times(axis.z, camera.eye.z);
   };

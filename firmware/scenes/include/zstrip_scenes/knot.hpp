@@ -1,5 +1,5 @@
-// A closed trefoil knot of 160 rings with 16 vertices each: the benchmarks' workload K5 (5120 triangles, unlit,
-// Gouraud shaded vertex colours = normal / 2 + 1/2), the same flat, and the same lit.
+// A closed trefoil knot of 160 rings with 16 vertices each: the benchmarks' workload K5 (5120 triangles, unlit, Gouraud
+// shaded vertex colours = normal / 2 + 1/2), and its flat and lit variants.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 namespace zstrip::scenes {
 
 inline constexpr std::size_t kKnotPatchRings = 10;  // quads of a patch along the tube
-inline constexpr std::size_t kKnotPatchSides = 4;   // and around it
+inline constexpr std::size_t kKnotPatchSides = 4;   // quads of a patch around the tube
 inline constexpr std::size_t kKnotPatchVertices = (kKnotPatchRings + 1) * (kKnotPatchSides + 1);
 inline constexpr std::size_t kKnotPatches = kKnotVertices / (kKnotPatchRings * kKnotPatchSides);
 inline constexpr std::size_t kKnotMeshletsVertices = kKnotPatches * kKnotPatchVertices;

@@ -1,4 +1,4 @@
-// How built-in scenes are shown: the turntable's camera and the light that lit scenes share.
+// The turntable's camera and the light of lit built-in scenes.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace zstrip::scenes {
 
-/// The camera `distance` from the origin (world units), `tilt` degrees above its horizon, looking at the origin.
+/// Returns a camera `distance` from the origin (world units), `tilt` degrees above its horizon, looking at the origin.
 consteval Camera turntable_camera(double distance, double tilt, double focal) {
   const double angle = tilt * compile_time::kPi / 180;
   const double sine = compile_time::sine(angle), cosine = compile_time::cosine(angle);
@@ -23,7 +23,7 @@ consteval Camera turntable_camera(double distance, double tilt, double focal) {
   return camera;
 }
 
-/// Towards the light, in world units of any length.
+/// Returns a light from the direction (x, y, z), in world units of any length.
 consteval DirectionalLight light_from(double x, double y, double z, Colour colour) {
   const double scale = 32767 / compile_time::square_root(x * x + y * y + z * z);  // 1.15
   return {static_cast<std::int16_t>(compile_time::nearest(x * scale)),
@@ -31,7 +31,7 @@ consteval DirectionalLight light_from(double x, double y, double z, Colour colou
           static_cast<std::int16_t>(compile_time::nearest(z * scale)), colour};
 }
 
-/// From the upper left behind the camera. With kAmbient it just reaches white.
+/// From the upper left behind the camera. Together with kAmbient it just reaches white.
 inline constexpr DirectionalLight kKeyLight[] = {light_from(-0.5, 0.7, 0.6, {207, 207, 207, 255})};
 inline constexpr Colour kAmbient{48, 48, 48, 255};
 

@@ -9,7 +9,7 @@
 
 namespace zstrip::scenes {
 
-/// `count` triangles that share no vertices; the three vertices of each have its colour.
+/// `count` triangles without shared vertices; the three vertices of each have its colour.
 template <std::size_t count>
 struct TriangleSoup {
   std::array<Position, 3 * count> positions;
@@ -17,7 +17,7 @@ struct TriangleSoup {
   std::array<Triangle, count> triangles;
 };
 
-// The centres lie within 0.9, the corners within half the size of them: 1.4 for R50 (size 1.0), 0.93 for R10k (0.06).
+// Centres lie within 0.9, corners within half the size of their centre: 1.4 for R50 (size 1.0), 0.93 for R10k (0.06).
 inline constexpr Vec3 kRandom50HalfExtent{fixed(1.4375), fixed(1.4375), fixed(1.4375)};
 inline constexpr Vec3 kRandom10kHalfExtent{fixed(0.9375), fixed(0.9375), fixed(0.9375)};
 inline constexpr std::size_t kRandomMeshletTriangles = 21;  // 63 vertices

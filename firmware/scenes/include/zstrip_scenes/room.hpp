@@ -31,7 +31,7 @@ inline constexpr Material kRoomMaterials[] = {{.texture = 0, .lit = true, .smoot
                                               {.colour = {225, 105, 70, 255}, .lit = true, .smooth = false},
                                               {.colour = {80, 150, 220, 255}, .lit = true, .smooth = false}};
 
-/// A cube of half side `size` that stands on the floor at (x, z), rotated by `degrees`.
+/// Returns a cube of half side `size` that stands on the floor at (x, z), rotated by `degrees`.
 consteval Instance box(std::uint16_t material, double size, double x, double z, double degrees) {
   const double angle = degrees * compile_time::kPi / 180;
   const Fixed cosine = fixed(size * compile_time::cosine(angle)), sine = fixed(size * compile_time::sine(angle));
@@ -42,7 +42,7 @@ consteval Instance box(std::uint16_t material, double size, double x, double z, 
 }
 inline constexpr Instance kRoomInstances[] = {
     {.mesh = 0, .material = 0}, box(1, 0.45, -0.35, -0.3, 20), box(2, 0.3, 0.7, 0.0, 50), box(3, 0.2, -1.05, 0.2, -15)};
-/// From above, a little from the corner: every wall and the floor get a light of their own.
+/// From above, a little from the corner, so that every wall and the floor have a different brightness.
 inline constexpr DirectionalLight kRoomLights[] = {light_from(0.35, 0.8, 0.55, {150, 150, 150, 255}),
                                                    light_from(-0.6, 0.3, -0.4, {70, 75, 90, 255})};
 

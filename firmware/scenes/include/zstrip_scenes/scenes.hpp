@@ -1,5 +1,5 @@
-// The catalogue of all built-in scenes. Links every one of them: firmware that shows a single scene includes that
-// scene's own header instead.
+// The catalogue of all built-in scenes. It links all of them: firmware with a single scene includes that scene's header
+// instead.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace zstrip::scenes {
 
-/// All scenes, from small to large, in static storage.
+/// Returns all scenes, from small to large, in static storage.
 std::span<const BuiltIn> built_in();
 
-/// The scene of this exact name, or nullptr.
+/// Returns the scene with exactly this name, or nullptr.
 const BuiltIn* find(std::string_view name);
 
 }  // namespace zstrip::scenes

@@ -1,5 +1,5 @@
-// The room of room.hpp, standing still, and a teapot that flies in a circle around its boxes: two scenes for one
-// camera, to be drawn as a static layer and what moves over it, or as one scene of both.
+// The room of room.hpp at rest, and a teapot that flies in a circle around its boxes: two scenes with one camera, which
+// can be drawn as a static layer with a moving object over it, or as one scene.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace zstrip::scenes {
 
-/// The depth range is the same in every frame: layers are compared by depth.
+/// The depth range is the same in every frame, because layers are compared by depth.
 inline constexpr Camera kShowroomCamera = [] {
   Camera camera = turntable_camera(1.7, 15, 1.2);
   camera.near_plane = fixed(0.2);
@@ -21,16 +21,16 @@ inline constexpr Camera kShowroomCamera = [] {
 
 inline constexpr Scene kShowroomBackground = kRoomScene;
 
-/// The background's meshes and materials, and behind them the teapot's.
+/// The background's meshes and materials, followed by the teapot's.
 inline constexpr Mesh kShowroomMeshes[] = {kRoomMeshes[0], kRoomMeshes[1], kTeapotMeshletsMesh[0]};
 inline constexpr Material kShowroomMaterials[] = {kRoomMaterials[0], kRoomMaterials[1], kRoomMaterials[2],
                                                   kRoomMaterials[3], kTeapotMaterial[0]};
 inline constexpr std::uint16_t kShowroomTeapotMesh = 2, kShowroomTeapotMaterial = 4;
 
-/// `frame` of a flight around the boxes in `frames` frames, any number.
+/// Returns the teapot at frame `frame` of a flight around the boxes in `frames` frames; any number.
 Instance showroom_teapot(std::uint32_t frame, std::uint32_t frames);
 
-/// Returns a scene of these instances: the moving one, or all of them. `instances` must stay alive.
+/// Returns a scene of these instances: the moving one, or all. `instances` must stay alive.
 constexpr Scene showroom_scene(std::span<const Instance> instances) {
   return {.meshes = kShowroomMeshes,
           .materials = kShowroomMaterials,
@@ -40,7 +40,7 @@ constexpr Scene showroom_scene(std::span<const Instance> instances) {
           .ambient = kRoomScene.ambient};
 }
 
-/// Counts of the teapot alone.
+/// The counts of the teapot alone.
 inline constexpr SceneCounts kShowroomTeapotCounts = teapot_meshlets.counts;
 
 }  // namespace zstrip::scenes

@@ -1,5 +1,5 @@
-// Spheres and ellipsoids on a floor: one that a cube cuts, one with a texture, one with three axes. The cube and its
-// texture are those of cube.hpp.
+// Spheres and ellipsoids on a floor: one is cut by a cube, one has a texture, one has three different axes. The cube
+// and its texture are those of cube.hpp.
 #pragma once
 
 #include <array>

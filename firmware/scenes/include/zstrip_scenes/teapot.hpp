@@ -1,5 +1,5 @@
-// The Utah teapot, lit and smooth: y up, the spout towards +x, 2 units from spout to handle. Open as Newell's data is:
-// at the spout's mouth, under the lid's edge and where spout and handle enter the body.
+// The Utah teapot, lit and smooth: y up, the spout towards +x, 2 units from spout to handle. Like Newell's data it is
+// open at the spout's mouth, under the lid's edge, and where spout and handle enter the body.
 #pragma once
 
 #include "zstrip_scenes/built_in.hpp"

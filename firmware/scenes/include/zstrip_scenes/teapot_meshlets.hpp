@@ -1,4 +1,4 @@
-// The Utah teapot of teapot.hpp cut into meshlets of at most 64 vertices: the same picture, less memory.
+// The Utah teapot of teapot.hpp cut into meshlets of at most 64 vertices: the same picture with less memory.
 #pragma once
 
 #include "zstrip_scenes/teapot.hpp"

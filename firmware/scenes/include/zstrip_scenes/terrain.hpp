@@ -1,5 +1,5 @@
 // Hills to the horizon, in 36 meshlets: 240 units from side to side, seen by a camera whose near plane is 0.1 units
-// away. It tests what a z-buffer resolves far away.
+// away. It tests the resolution of a z-buffer at large distances.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace zstrip::scenes {
 
-inline constexpr std::size_t kTerrainTiles = 6;      // to a side
-inline constexpr std::size_t kTerrainTileQuads = 7;  // to a side of a tile
+inline constexpr std::size_t kTerrainTiles = 6;      // tiles a side
+inline constexpr std::size_t kTerrainTileQuads = 7;  // quads a side of a tile
 inline constexpr std::size_t kTerrainTileVertices = (kTerrainTileQuads + 1) * (kTerrainTileQuads + 1);
 inline constexpr std::size_t kTerrainVertices = kTerrainTiles * kTerrainTiles * kTerrainTileVertices;
 inline constexpr std::size_t kTerrainTileTriangles = 2 * kTerrainTileQuads * kTerrainTileQuads;

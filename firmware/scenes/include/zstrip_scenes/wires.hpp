@@ -1,4 +1,4 @@
-// A globe of nine wires, each hardly a pixel thick in a small picture: all of it is edges, nothing is inside.
+// A globe of nine wires, each hardly a pixel thick in a small picture, so that almost every pixel is an edge.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@ namespace zstrip::scenes {
 
 inline constexpr std::size_t kWireMeridians = 6;  // whole circles through both poles
 inline constexpr std::size_t kWireParallels = 3;
-inline constexpr std::size_t kWireSegments = 32;  // of a circle
-inline constexpr std::size_t kWireSides = 3;      // of the prism that a wire is
+inline constexpr std::size_t kWireSegments = 32;  // segments of a circle
+inline constexpr std::size_t kWireSides = 3;      // sides of the prism that is a wire
 inline constexpr std::size_t kWiresVertices = (kWireMeridians + kWireParallels) * kWireSegments * kWireSides;
-inline constexpr double kWireRadius = 0.008;  // of a globe of radius 1
+inline constexpr double kWireRadius = 0.008;  // for a globe of radius 1
 
 extern const std::array<Position, kWiresVertices> kWiresPositions;
 extern const std::array<Normal, kWiresVertices> kWiresNormals;
