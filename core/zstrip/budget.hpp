@@ -28,7 +28,7 @@ struct SceneCounts {
   bool colours_in_place = false;      ///< vertex colours are neither lit nor tinted: they are read from the meshes
 };
 
-/// How geometry gets into the strips.
+/// The way in which geometry gets into the strips.
 enum class Mode : std::uint8_t {
   streamed,  ///< each strip transforms the meshlets that touch it again: least memory
   binned,    ///< geometry is transformed once, and each strip has a list of its triangles: least time

@@ -57,7 +57,7 @@ inline constexpr Effects bins{1U << 12};
 inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only at the triangle's corners
 inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
 inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
-/// All of these.
+/// All perspective runs.
 inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
 
 // Effects of light and of fragments. None needs another one.

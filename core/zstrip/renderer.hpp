@@ -66,17 +66,17 @@ class AnyRenderer {
   /// well, which draws the same pixels.
   explicit AnyRenderer(Effects effects)
       : pipeline_(pipeline_for(effects)), takes_samples_(effects.has(effect::supersampled)) {}
-  /// As Renderer::begin_frame.
+  /// See Renderer::begin_frame.
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
     if (!takes_samples_ && view.samples != 1) return detail::refuse_samples(state_);
     return pipeline_.begin_frame(state_, scene, camera, view, plan, arena);
   }
-  /// As Renderer::draw_strip.
+  /// See Renderer::draw_strip.
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
     return pipeline_.draw_strip(state_, strip, pixels);
   }
-  /// As Renderer::draw_over.
+  /// See Renderer::draw_over.
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
     return pipeline_.draw_over(state_, area, pixels, depth);
   }

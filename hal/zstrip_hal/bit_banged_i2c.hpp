@@ -34,7 +34,7 @@ class BitBangedI2c {
     return error == Error::none && !high ? Error::bus : error;
   }
 
-  /// As I2cWriter states. Returns Error::timeout if a device holds the clock line low for 1 ms.
+  /// See I2cWriter. Returns Error::timeout if a device holds the clock line low for 1 ms.
   Error begin(std::uint8_t address) {
     Error error = sda_.release();
     if (error == Error::none) error = rise();
@@ -47,7 +47,7 @@ class BitBangedI2c {
     return error == Error::none ? send_byte(static_cast<std::uint32_t>(address) << 1) : error;  // bit 0 low: to write
   }
 
-  /// As I2cWriter states.
+  /// See I2cWriter.
   Error send(std::span<const std::byte> bytes) {
     for (const std::byte byte : bytes) {
       if (const Error error = send_byte(std::to_integer<std::uint32_t>(byte)); error != Error::none) return error;
@@ -55,7 +55,7 @@ class BitBangedI2c {
     return Error::none;
   }
 
-  /// As I2cWriter states.
+  /// See I2cWriter.
   Error end() {
     Error error = fall();
     if (error == Error::none) error = sda_.pull_low();

@@ -42,13 +42,13 @@ class BitBangedSpi {
   }
 
   /// @{
-  /// As the concept CommandDataBus states; all bytes have been sent when the function returns.
+  /// See the concept CommandDataBus; all bytes have been sent when the function returns.
   Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
   Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
   Error wait() { return Error::none; }
   /// @}
 
-  /// As ReadableBus states.
+  /// See ReadableBus.
   Error read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer) requires InputPin<AnswerPin> {
     Error error = data_command_.set(false);
     if (error == Error::none) error = select_.set(false);

@@ -33,7 +33,7 @@ class Framebuffer {
         stride_(layout.stride != 0 ? layout.stride : bytes_per_row(layout.width, layout.format)) {}
 
   /// @{
-  /// As the concept Display states.
+  /// See the concept Display.
   constexpr std::uint16_t width() const { return layout_.width; }
   constexpr std::uint16_t height() const { return layout_.height; }
   constexpr PixelFormat format() const { return layout_.format; }

@@ -31,7 +31,7 @@ class I2cCommandDataBus {
   constexpr I2cCommandDataBus(Writer& i2c, std::uint8_t address) : i2c_(i2c), address_(address) {}
 
   /// @{
-  /// As the concept CommandDataBus states; all bytes have been sent when the function returns.
+  /// See the concept CommandDataBus; all bytes have been sent when the function returns.
   Error write_command(std::span<const std::byte> bytes) { return write(std::byte{0x00}, bytes); }
   Error write_data(std::span<const std::byte> bytes) { return write(std::byte{0x40}, bytes); }
   Error wait() { return Error::none; }

@@ -104,16 +104,16 @@ class DcsPanel {
     return error;
   }
 
-  /// As the concept Display states.
+  /// See the concept Display.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : config_.width; }
-  /// As the concept Display states.
+  /// See the concept Display.
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
-  /// As the concept Display states.
+  /// See the concept Display.
   constexpr PixelFormat format() const { return config_.format; }
 
-  /// As the concept Display states.
+  /// See the concept Display.
   Error begin_frame() { return Error::none; }
-  /// As the concept Display states.
+  /// See the concept Display.
   Error write(const Area& area, std::span<const std::byte> pixels) {
     if (!contains(width(), height(), area)) return Error::area;
     if (config_.format == PixelFormat::rgb444 && area.width % 2 != 0) return Error::alignment;
@@ -122,9 +122,9 @@ class DcsPanel {
     if (const Error error = set_window(area); error != Error::none) return error;
     return bus_.write_data(pixels.first(bytes));
   }
-  /// As the concept Display states.
+  /// See the concept Display.
   Error wait() { return bus_.wait(); }
-  /// As the concept Display states.
+  /// See the concept Display.
   Error end_frame() { return Error::none; }
 
   /// Reads the controller's id, in the form of DcsConfig::id. May be called before start(), from 5 ms after a reset on.

@@ -1,4 +1,4 @@
-// Shared lines with a pull-up resistor, as those of I2C: a device pulls the line low or releases it.
+// Shared lines with a pull-up resistor, such as the lines of I2C: a device pulls the line low or releases it.
 #pragma once
 
 #include <concepts>

@@ -63,7 +63,7 @@ class ParallelBus {
   }
 
   /// @{
-  /// As the concept CommandDataBus states; all bytes have been sent when the function returns.
+  /// See the concept CommandDataBus; all bytes have been sent when the function returns.
   Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
   Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
   Error wait() { return Error::none; }

@@ -64,7 +64,7 @@ class SecondCore {
   /// Call it on the first core: true if all requests are done.
   bool is_done() const { return done_.load(std::memory_order_acquire) == asked_.load(std::memory_order_relaxed); }
 
-  /// As the function present() below.
+  /// See the function present() below.
   template <Display Panel, Clock Time>
   PresentResult<DrawStatus> present(Renderer& own, Panel& display, const StripLayout& layout,
                                     const TwoCoreBuffers& buffers, Time& clock) {

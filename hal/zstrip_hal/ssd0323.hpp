@@ -52,7 +52,7 @@ class Ssd0323 {
   }
 
   /// @{
-  /// As the concept Display states.
+  /// See the concept Display.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? kHeight : kWidth; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? kWidth : kHeight; }
   constexpr PixelFormat format() const { return PixelFormat::gray4; }

@@ -79,7 +79,7 @@ class Ssd1306 {
   }
 
   /// @{
-  /// As the concept Display states.
+  /// See the concept Display.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : config_.width; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
   constexpr PixelFormat format() const { return PixelFormat::mono; }

@@ -53,7 +53,7 @@ class Ssd1351 {
   }
 
   /// @{
-  /// As the concept Display states.
+  /// See the concept Display.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : kColumns; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? kColumns : config_.height; }
   constexpr PixelFormat format() const { return PixelFormat::rgb565_swapped; }

@@ -13,7 +13,7 @@ namespace zstrip::hal {
 /// For pins GM1 and GM0 at 00: the memory has 132x162 pixels.
 struct St7735Controller {
   /// @{
-  /// As DcsController states.
+  /// See DcsController.
   static constexpr std::uint16_t kColumns = 132;
   static constexpr std::uint16_t kRows = 162;
   static constexpr bool kHasBrightness = false;
@@ -53,7 +53,7 @@ struct St7735Controller {
 /// For pins GM1 and GM0 at 11: 128x160 pixels, without offsets.
 struct St7735Gm11Controller : St7735Controller {
   /// @{
-  /// As DcsController states.
+  /// See DcsController.
   static constexpr std::uint16_t kColumns = 128;
   static constexpr std::uint16_t kRows = 160;
   /// @}

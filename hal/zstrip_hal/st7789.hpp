@@ -13,7 +13,7 @@ namespace zstrip::hal {
 /// The controller of 240x320 pixels, 12, 16 or 18 bits each.
 struct St7789Controller {
   /// @{
-  /// As DcsController states.
+  /// See DcsController.
   static constexpr std::uint16_t kColumns = 240;
   static constexpr std::uint16_t kRows = 320;
   static constexpr bool kHasBrightness = true;

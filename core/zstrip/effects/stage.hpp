@@ -11,13 +11,12 @@
 
 namespace zstrip::detail {
 
-/// The arguments of begin_frame.
 struct FrameRequest {
   const Scene& scene;
   const Camera& camera;
   const View& view;
   const Plan& plan;
-  SceneCounts counts;  ///< counts of the scene
+  SceneCounts counts;
   Effects called_for;  ///< effects that scene and camera need
 };
 

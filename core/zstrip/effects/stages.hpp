@@ -31,7 +31,6 @@ struct StageList {
   [[gnu::always_inline]] static void for_each([[maybe_unused]] const Visit& visit) {
     (call<effects, Stages>(visit), ...);
   }
-  /// Calls visit(stage) until one returns an error.
   template <Effects effects, class Visit>
   [[gnu::always_inline]] static Status until_error([[maybe_unused]] const Visit& visit) {
     if constexpr (!effects.any(kEffects)) return {};

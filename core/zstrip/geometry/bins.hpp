@@ -38,7 +38,7 @@ struct BinList {
   std::uint32_t next;   ///< slot of the next entry. A slot directly after a chunk means that the chunk is full or that
                         ///< there is none.
   std::uint16_t batch;  ///< batch of the triangle that was added last
-  std::uint16_t first;  ///< number of the first chunk
+  std::uint16_t first;
 };
 static_assert(sizeof(BinList) == kBinBytes);
 

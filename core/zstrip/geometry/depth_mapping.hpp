@@ -23,7 +23,6 @@ struct DepthMapping {
   std::int64_t far;   ///< depth at far (orthographic)
 };
 
-/// Returns the mapping for the range of a DepthFit.
 DepthMapping depth_mapping(DepthFormat format, const DepthFit& fit);
 /// Returns the mapping of z16 to the lowest sub-range.
 DepthMapping depth_mapping_of_ranges(const DepthFit& fit);

@@ -73,7 +73,6 @@ LinearForm shifted_right(const LinearForm& form, int shift) {
   return {form.x >> shift, form.y >> shift, form.z >> shift, form.offset >> shift};
 }
 
-/// Returns form * mantissa / 2^31.
 LinearForm scaled(const LinearForm& form, std::int64_t mantissa) {
   const auto times = [mantissa](std::int32_t c) { return static_cast<std::int32_t>((c * mantissa) >> 31); };
   return {times(form.x), times(form.y), times(form.z), times(form.offset)};

@@ -55,11 +55,11 @@ struct ObjectLight {
 };
 
 struct CompiledInstance {
-  LinearForm x, y;                   ///< numerators of the picture coordinates
-  LinearForm w;                      ///< distance along the viewing direction, in the instance's own scale
-  std::int32_t shift_x, shift_y;     ///< x/w in 1/16 pixels = x * reciprocal(w normalised by n) >> (32 + shift - n)
-  std::uint32_t w_near, w_range;     ///< w - w_near <= w_range (unsigned) is inside the depth range
-  std::uint32_t depth_scale;         ///< mantissa of the depth's scale
+  LinearForm x, y;                ///< numerators of the picture coordinates
+  LinearForm w;                   ///< distance along the viewing direction, in the instance's own scale
+  std::int32_t shift_x, shift_y;  ///< x/w in 1/16 pixels = x * reciprocal(w normalised by n) >> (32 + shift - n)
+  std::uint32_t w_near, w_range;  ///< w - w_near <= w_range (unsigned) is inside the depth range
+  std::uint32_t depth_scale;
   std::uint8_t depth_shift;          ///< left shift after the scale
   std::uint8_t depth_normalisation;  ///< perspective: leading zeros of w_near; orthographic: left shift of w_far - w
   Shade shade;
@@ -93,7 +93,6 @@ constexpr void extend(DistanceRange& reach, const DistanceRange& range, const Ca
 template <bool orthographic, bool lights>
 Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,
                         const View& view, const DepthFit& fit);
-/// Compiles an instance for any camera.
 inline Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance,
                                const Camera& camera, const View& view, const DepthFit& fit) {
   return camera.projection == Projection::orthographic

@@ -8,7 +8,6 @@
 
 namespace zstrip::detail {
 
-/// The vertices are those of the mesh from first_vertex on.
 struct MeshletRange {
   std::uint32_t first_vertex, vertex_count;
   std::span<const Triangle> triangles;

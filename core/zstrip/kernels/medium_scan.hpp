@@ -69,7 +69,7 @@ struct MediumRows {
 
 /// Values that all planes of a triangle share, in the order of the assembly's registers.
 struct SharedOfPlanes {
-  std::int32_t mantissa;                          ///< mantissa of 1 / area
+  std::int32_t mantissa;
   std::int32_t down_2, right_2, down_1, right_1;  ///< shifted weights of vertices 2 and 1
   std::int32_t to_anchor_x, to_anchor_y;          ///< from vertex 0 to the anchor's centre, sub-pixels
 };

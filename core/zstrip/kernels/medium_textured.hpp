@@ -24,7 +24,6 @@ struct TexturedVertex {
   std::int32_t u, v;    ///< texels, 16.16
 };
 
-/// The texture and the light of a medium triangle.
 struct MediumTexture {
   const TexturedVertex* const (&vertices)[3];
   const Colour* const (&colours)[3];  ///< not read if texels are unlit; only the first one is read with flat light

@@ -66,7 +66,7 @@ struct SmallScan {
   std::uint16_t* colour_row;
   std::int32_t depth_stride, colour_stride;
   std::int32_t width, height;  ///< size of the box, > 0
-  Colour colours[3];           ///< colours of the vertices
+  Colour colours[3];
   std::int32_t area;
   std::int32_t anchor_x, anchor_y;
   std::uint32_t first_column, first_row;  ///< first pixel of the box, counted from the anchor

@@ -7,7 +7,6 @@
 
 namespace zstrip::detail {
 
-/// True if divide_texels_thumb1 divides.
 inline constexpr bool kDividesTexelsInAssembly = kHasThumb1 && !kForSize;
 
 }  // namespace zstrip::detail

@@ -43,7 +43,6 @@ struct TexturedRunState {
   }
 };
 
-/// A run of texels that may be lit.
 template <class State>
 struct LitRunState : State {
   std::uint32_t r, g, b;  ///< light: light_factor if it is flat, 8.16 if it is smooth

@@ -64,7 +64,6 @@ constexpr std::uint32_t retained_bytes_per_vertex(Effects effects, const SceneCo
 constexpr bool has_apron(Effects effects, const SceneCounts& counts) {
   return effects.has(effect::edges) && counts.edge_groups != 0;
 }
-/// Returns the cells of the largest strip with its apron.
 constexpr std::uint64_t cells_with_apron(std::uint32_t rows, std::uint32_t columns, const View& view) {
   const auto wider = [](std::uint64_t side, std::uint64_t whole) { return side + 2 < whole ? side + 2 : whole; };
   return wider(rows, view.height) * wider(columns, view.width);

@@ -112,7 +112,6 @@ struct TriangleClipper {
   }
 };
 
-/// The clipper of a renderer with these effects.
 template <Effects effects>
 using ClipperFor = TriangleClipper<clip_effects(effects)>;
 

@@ -15,7 +15,7 @@
 
 namespace zstrip::detail {
 
-/// How a fragment uses the z-buffer.
+/// The use of the z-buffer by a fragment.
 enum class DepthUse : std::uint8_t {
   tested,   ///< drawn if it is nearer
   written,  ///< drawn without a test, because it is known to be nearer
@@ -67,15 +67,12 @@ constexpr bool is_plain(const DepthSettings& settings) {
   return settings.test == DepthTest::nearer && settings.bias == 0 && settings.slope_bias == 0;
 }
 
-/// The strip for modes that have settings.
 struct StripTargetWithDepth : StripTarget {
   DepthSettings settings;
 };
-/// The strip for a visibility method.
 struct StripTargetWithMethod : StripTargetWithDepth {
   MethodState* method;
 };
-/// The state of a CSG pass over its layers.
 struct CsgPass;
 struct StripTargetWithLayers : StripTargetWithDepth {
   const CsgPass* pass;
@@ -108,7 +105,6 @@ constexpr auto stepped_depth(std::uint32_t depth) {
   }
 }
 
-/// Converts stepped depth to a code.
 template <DepthFormat format, class Value>
 constexpr DepthCell<format> depth_code(Value value) {
   if constexpr (format == DepthFormat::z24) {
@@ -153,7 +149,6 @@ class DepthRule {
   static constexpr bool kNearerOnly = (mode.format == DepthFormat::z16 || mode.format == DepthFormat::float16) &&
                                       mode.use == DepthUse::tested && !mode.state && !mode.counted;
 
-  /// For the default mode.
   constexpr DepthRule() = default;
   /// `area` is twice the signed area. Vertices have x, y in sub-pixels and the depth of project_depth.
   template <class Vertex>

@@ -13,8 +13,8 @@ namespace zstrip::detail {
 
 /// Set once for each meshlet.
 struct FragmentSettings {
-  std::uint8_t alpha = 255;  ///< alpha of the material
-  std::uint8_t cutoff = 0;   ///< fragments with a smaller alpha are not drawn
+  std::uint8_t alpha = 255;
+  std::uint8_t cutoff = 0;  ///< fragments with a smaller alpha are not drawn
   bool blends = false;
   bool bilinear = false;
   bool has_texture_alpha = false;
@@ -34,7 +34,6 @@ struct Absent {};
 template <Effects effects, Effects needed, class Member>
 using MemberIf = std::conditional_t<effects.has(needed), Member, Absent>;
 
-/// The storage of an instance's texels.
 struct TexelStorage {
   TextureFormat format = TextureFormat::rgb565;
   std::uint8_t smaller_levels = 0;
@@ -52,7 +51,7 @@ struct PixelLightSettings {
   const FrameLights* lights = nullptr;
   const InstanceShading* shading = nullptr;  ///< null if the instance has no local light
   Finish finish{};
-  Colour colour{};  ///< colour of the material
+  Colour colour{};
 };
 
 /// Adds the settings of dithering, palettes or mipmaps, and lit fragments. The renderer has these effects; the picture
@@ -76,7 +75,6 @@ struct TargetOfEffects {
                                    TargetWithColours<WithFragments, kDithers, kStores, kLights>, WithFragments>;
   using Type = std::conditional_t<effects.any(effect::fragments), Drawn, WithDepth>;
 };
-/// The strip type for the rasterisers with these effects.
 template <Effects effects>
 using TargetOf = typename TargetOfEffects<effects>::Type;
 

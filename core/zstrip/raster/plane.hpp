@@ -33,7 +33,6 @@ struct Plane {
   }
 };
 
-/// The planes of a triangle's colours.
 struct ColourPlanes {
   Plane r, g, b;  ///< 8.16
 };
@@ -53,7 +52,6 @@ struct WidePlane {
   }
 };
 
-/// Values that all planes of one triangle share.
 class PlaneSetup {
  public:
   using Value = std::int64_t;

@@ -134,7 +134,6 @@ struct SpanTriangle {
 
   struct Unsplit {};  ///< takes the place of WholeSpans if the part is the whole triangle, or WholeSpans is not used
 
-  /// Walks a part of the triangle.
   template <bool statistics, class Narrow, class Rule, class Whole, class Fill>
   void walk_part(const TargetFor<mode>& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
                  Narrow narrow, const Rule& how, [[maybe_unused]] Whole whole, const Fill& fill) const {

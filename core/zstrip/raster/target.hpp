@@ -38,7 +38,6 @@ Target part_of(const Target& target, const Rect& part) {
   return result;
 }
 
-/// A texture for the pixel loop.
 struct TextureView {
   const std::uint16_t* texels;
   std::uint8_t log2_width, log2_height;

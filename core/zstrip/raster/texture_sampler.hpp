@@ -68,7 +68,6 @@ class TextureSampler {
   FragmentColour nearest(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
     return texel<alpha>(nearest_index(u, v), has_alpha);
   }
-  /// Returns the nearest texel in RGB565.
   std::uint16_t nearest_word(std::uint32_t u, std::uint32_t v) const { return word(nearest_index(u, v)); }
 
   /// Returns the mean of the four texels whose centres lie around the point, weighted by distance in 1/256 and rounded
@@ -108,7 +107,6 @@ class TextureSampler {
     return ((v >> to_row_) & row_mask_) + column;
   }
 
-  /// Returns the texel in RGB565.
   std::uint16_t word(std::uint32_t index) const {
     if constexpr (palettes) {
       if (storage_.format == TextureFormat::palette8) {

@@ -103,7 +103,6 @@ inline void fill_blocks(PixelPairs* to, std::uint32_t pair, std::uint32_t blocks
 #endif
 }
 
-/// Fills a strip with one colour.
 inline void fill_pixels(std::uint16_t* pixels, std::uint32_t count, std::uint16_t colour) {
   if (count != 0 && reinterpret_cast<std::uintptr_t>(pixels) % 4 != 0) *pixels++ = colour, --count;
   if (const std::uint32_t blocks = count / 16; blocks != 0) {

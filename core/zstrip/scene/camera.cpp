@@ -12,7 +12,6 @@ using detail::magnitude;
 using detail::unit;
 using detail::Wide3;
 
-/// True if a cross product is nearly zero.
 constexpr bool nearly_zero(const Wide3& v) {
   return detail::is_within(v, std::int64_t{1} << 36);  // 2^-16 of a unit vector, in 2.52
 }

@@ -6,7 +6,6 @@
 namespace zstrip::detail {
 namespace {
 
-/// A box of positions.
 struct PositionBox {
   Position low{-32768, -32768, -32768}, high{32767, 32767, 32767};
 };

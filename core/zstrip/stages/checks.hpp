@@ -13,7 +13,6 @@ namespace zstrip::detail {
 /// Checks a request of begin_frame, for a renderer with `effects`. validate() has already checked the index arrays.
 Status check_request(const Scene& scene, const SceneCounts& counts, const Camera& camera, const View& view,
                      const Plan& plan, Effects called_for, Effects effects, std::span<std::byte> arena);
-/// Checks a request of draw_strip.
 Status check_strip(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels);
 /// Checks a request of draw_strip if the frame is one of samples and `pixels` are pixels of the display.
 Status check_strip_of_samples(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels);
@@ -24,7 +23,6 @@ inline Status check_strip_number(const FrameState& frame, std::uint16_t strip) {
   }
   return {};
 }
-/// Checks that `pixels` has room for `area` of the picture.
 inline Status check_room(const Rect& area, PixelFormat format, std::span<const std::byte> pixels) {
   const auto rows = static_cast<std::uint32_t>(area.height());
   const std::uint32_t needed = rows * bytes_per_row(static_cast<std::uint16_t>(area.width()), format);

@@ -27,7 +27,6 @@ constexpr Status too_small(Purpose purpose, std::uint64_t needed, std::uint32_t 
           .available = available};
 }
 
-/// Divides the arena as frame.plan says.
 void lay_out_arena(FrameState& frame, std::span<std::byte> arena);
 /// Sets view and plan of the frame, which have been checked, lays out the arena and resets the statistics.
 inline void start(FrameState& frame, const View& view, const Plan& plan, std::span<std::byte> arena) {

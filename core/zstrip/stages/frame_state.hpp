@@ -42,13 +42,11 @@ struct FrameState {
   Statistics statistics{};
 };
 
-/// The state with effect::depth_ranges.
 struct RangedFrameState : FrameState {
   DepthRanges ranges;
   std::uint32_t cleared_code = 0;
 };
 
-/// The state with a visibility method.
 struct MethodFrameState : RangedFrameState {
   VisibilityOptions options;
   VisibilityStatistics counts;
@@ -58,7 +56,6 @@ struct MethodFrameState : RangedFrameState {
   std::byte* depth_bounds = nullptr;
 };
 
-/// The state of a renderer with these effects.
 template <Effects effects>
 using FrameStateFor =
     std::conditional_t<effects.methods != 0, MethodFrameState,

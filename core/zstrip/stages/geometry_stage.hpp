@@ -180,7 +180,6 @@ struct GeometryStage {
     return room;
   }
 
-  /// Adds a triangle to the lists of all strips of an extent.
   static bool list(FrameState& frame, const Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
     return list_in(frame, frame.grid.strips_of_extent(extent), batch, triangle);
   }
@@ -222,7 +221,6 @@ struct GeometryStage {
           return list(frame, covered, number, index);
         });
   }
-  /// `strips` has columns and rows of strips.
   static bool list_in(FrameState& frame, const Rect& strips, std::uint16_t batch, std::uint16_t triangle) {
     for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
       for (std::int32_t column = strips.left; column < strips.right; ++column) {

@@ -84,7 +84,6 @@ struct Materials {
     return {texture.format, texture.smaller_levels, only_effect};
   }
 
-  /// Used only with effect::pixel_shading.
   template <Effects effects>
   static PixelLightSettings pixel_light_settings(const FrameState& frame, const CompiledInstance& instance) {
     const Scene& scene = *frame.scene;

@@ -15,7 +15,6 @@ constexpr std::uint32_t kMaxColours = 16;
 constexpr std::uint8_t kDifferences = 0x80;   // bit of the first byte; without it: number of a palette's colours
 constexpr std::uint32_t kDifferenceHead = 4;  // first byte, width of blue, first pixel
 
-/// Returns the bits of a palette's index.
 constexpr std::uint32_t index_bits(std::uint32_t colours) { return colours <= 2 ? 1 : colours <= 4 ? 2 : 4; }
 constexpr std::uint32_t palette_bytes(std::uint32_t colours, std::uint32_t pixels) {
   return 1 + 2 * colours + (pixels * index_bits(colours) + 7) / 8;

@@ -112,9 +112,8 @@ void unpack_some(const Groups& groups, std::uint32_t width, std::uint32_t count,
   return true;
 }
 
-/// Consecutive rows of a tile.
 struct Rows {
-  std::uint16_t* row;          ///< the first row
+  std::uint16_t* row;
   const std::uint16_t* above;  ///< the row above, from which the first row is predicted
   std::uint32_t stride, width, count;
   std::uint32_t rise;  ///< of the first column's prediction: `above` minus the row above it
@@ -163,7 +162,6 @@ template <Opcode predictor>
   }
 }
 
-/// The codes of the covered cells.
 struct CoveredCodes {
   const std::uint16_t* next;
   const std::uint8_t* cover;  ///< the cover of the next row

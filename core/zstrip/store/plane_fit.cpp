@@ -21,7 +21,6 @@ struct Slopes {
   std::int32_t x, y;
 };
 
-/// The least and the greatest height.
 struct Heights {
   std::int32_t least = INT32_MAX, greatest = INT32_MIN;
 

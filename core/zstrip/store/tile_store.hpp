@@ -24,7 +24,7 @@ namespace detail {
 /// The kind of data in a store. The functions are those of depth_tile.hpp and colour_tile.hpp.
 struct TileCodec {
   std::uint8_t kind;  ///< stored in the header of a pool
-  Purpose purpose;    ///< used in a Status
+  Purpose purpose;
   std::uint32_t (*encode)(const TileView<const std::uint16_t>&, std::span<std::byte, kMaxTileRecord>);
   bool (*decode)(std::span<const std::byte>, const TileView<std::uint16_t>&);
 };

@@ -57,7 +57,6 @@ struct Guess {
   }
 };
 
-/// Returns the cells near a guess.
 Cover near(const CoveredCells& tile, const Guess& guess) {
   Cover cover{};
   std::int32_t row_start = guess.start;
@@ -81,7 +80,6 @@ const Guess* best_outside(const std::array<Guess, 4>& guesses, const Cover& cove
   return best;
 }
 
-/// Counts the cells that are in neither cover.
 std::uint32_t cells_outside(const CoveredCells& tile, const Cover& a, const Cover& b) {
   std::uint32_t cells = 0;
   for (std::uint32_t y = 0; y < tile.height; ++y) {

@@ -46,7 +46,6 @@ struct BspEye {
   return {result[0], result[1], result[2], is_direction};
 }
 
-/// True if the eye is in front of the node's plane.
 constexpr bool lies_in_front(const BspNode& node, const BspEye& eye) {
   // 2.30 times 14.16, three terms: below 2^63.
   const std::int64_t side = node.x * eye.x + node.y * eye.y + node.z * eye.z;

@@ -29,14 +29,13 @@ inline constexpr Effects bsp{0, 1U << 6};
 /// Culls as set in VisibilityOptions, and counts. Can be combined with every method, or used alone with the z-buffer.
 inline constexpr Effects culling{0, 1U << 7};
 
-inline constexpr Effects sorted{0, painter.methods | front_to_back.methods};          ///< methods that sort
+inline constexpr Effects sorted{0, painter.methods | front_to_back.methods};
 inline constexpr Effects bounded{0, hierarchical_z.methods | midpoint_safe.methods};  ///< methods that keep bounds of
                                                                                       ///< tiles
-inline constexpr Effects splitting{0, midpoint.methods | midpoint_safe.methods};      ///< methods that split at
-                                                                                      ///< centroids
+inline constexpr Effects splitting{0, midpoint.methods | midpoint_safe.methods};
 inline constexpr Effects orders{0, in_order.methods | bsp.methods};  ///< methods that replace the painter's key
-inline constexpr Effects own{0, (1U << 7) - 1};                      ///< all except culling
-inline constexpr Effects any{0, own.methods | culling.methods};      ///< all methods
+inline constexpr Effects own{0, (1U << 7) - 1};
+inline constexpr Effects any{0, own.methods | culling.methods};
 }  // namespace method
 // NOLINTEND(readability-identifier-naming)
 

@@ -11,9 +11,9 @@ namespace zstrip {
 /// The depth by which painter and front_to_back sort a triangle. It is one number, so that every key gives a wrong
 /// order for some triangles.
 enum class SortKey : std::uint8_t {
-  middle,    ///< halfway between its nearest and its farthest vertex
-  nearest,   ///< its nearest vertex
-  farthest,  ///< its farthest vertex
+  middle,  ///< halfway between its nearest and its farthest vertex
+  nearest,
+  farthest,
 };
 
 /// Set before begin_frame. All memory that it refers to must live until the last draw_strip.

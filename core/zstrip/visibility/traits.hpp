@@ -11,7 +11,6 @@ constexpr bool has_no_depth(Effects effects) { return effects.has(method::painte
 constexpr bool keeps_bounds(Effects effects) { return effects.any(method::bounded); }
 /// True for methods that test meshlets and runs of pixels against the bounds.
 constexpr bool hides_by_bounds(Effects effects) { return effects.has(method::hierarchical_z); }
-/// True for methods that split triangles and draw pieces.
 constexpr bool splits(Effects effects) { return effects.any(method::splitting); }
 /// True for methods that draw pieces by samples, and so may draw other pixels than the z-buffer.
 constexpr bool guesses(Effects effects) { return effects.has(method::midpoint); }

@@ -58,7 +58,7 @@ class DrmDisplay {
   ~DrmDisplay();
 
   /// @{
-  /// As the concept Display states.
+  /// See the concept Display.
   std::uint16_t width() const { return size_.width; }
   std::uint16_t height() const { return size_.height; }
   PixelFormat format() const { return PixelFormat::rgb565; }

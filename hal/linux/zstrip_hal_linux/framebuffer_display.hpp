@@ -63,7 +63,7 @@ class FramebufferDisplay {
   ~FramebufferDisplay();
 
   /// @{
-  /// As the concept Display states.
+  /// See the concept Display.
   std::uint16_t width() const { return memory_.width; }
   std::uint16_t height() const { return memory_.height; }
   PixelFormat format() const { return PixelFormat::rgb565; }

@@ -32,7 +32,7 @@ class I2cdevBus {
   static Outcome<I2cdevBus> open(const std::string& path, std::uint8_t address);
 
   /// @{
-  /// As the concept CommandDataBus states.
+  /// See the concept CommandDataBus.
   Error write_command(std::span<const std::byte> bytes) { return write(std::byte{0x00}, bytes); }
   Error write_data(std::span<const std::byte> bytes) { return write(std::byte{0x40}, bytes); }
   Error wait() { return Error::none; }

@@ -19,7 +19,7 @@ class MirroredDisplays {
   explicit MirroredDisplays(std::vector<Shown> displays) : displays_(std::move(displays)) {}
 
   /// @{
-  /// As the concept Display states.
+  /// See the concept Display.
   std::uint16_t width() const { return displays_.front().width(); }
   std::uint16_t height() const { return displays_.front().height(); }
   PixelFormat format() const { return displays_.front().format(); }

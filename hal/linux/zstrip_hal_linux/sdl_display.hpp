@@ -27,7 +27,7 @@ class SdlDisplay {
   static Outcome<SdlDisplay> open(const std::string& title, const ScreenSize& size, std::uint16_t scale);
 
   /// @{
-  /// As the concept Display states.
+  /// See the concept Display.
   std::uint16_t width() const { return size_.width; }
   std::uint16_t height() const { return size_.height; }
   PixelFormat format() const { return PixelFormat::rgb565; }

@@ -26,12 +26,12 @@ class SpidevBus {
   static Outcome<SpidevBus> open(const std::string& path, std::uint32_t hertz, GpioPin data_command);
 
   /// @{
-  /// As the concept CommandDataBus states.
+  /// See the concept CommandDataBus.
   Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
   Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
   Error wait() { return Error::none; }
   /// @}
-  /// As the concept ReadableBus states.
+  /// See the concept ReadableBus.
   Error read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer);
 
  private:

@@ -9,20 +9,17 @@
 
 namespace zstrip::detail::blending {
 
-/// An instance in the order of drawing.
 struct DrawOrder {
   Distance distance;  ///< distance of the middle of its box from the camera's plane
   std::uint32_t instance, unused;
 };
 static_assert(sizeof(DrawOrder) == Effect::kPlaceBytes);
 
-/// Returns the order of a frame with blended instances.
 inline std::span<DrawOrder> order_of(const FrameState& frame) {
   const EffectBlock block = effect_block(frame);
   return {block.at<Effect, DrawOrder>(), block.instances()};
 }
 
-/// Returns the instance at this place of the order.
 inline std::uint32_t instance_at(const FrameState& frame, std::uint32_t place) {
   return effect_block(frame).has(effect::blending) ? order_of(frame)[place].instance : place;
 }

@@ -11,12 +11,12 @@ namespace zstrip::detail {
 /// One side of an operand, drawn over arrays with the strip's rows and columns: a layer of cells in place of the
 /// z-buffer, and either the previous layer or counts.
 struct CsgPass {
-  const void* first_cell = nullptr;  ///< first cell of the layer
-  const void* before = nullptr;      ///< cells of the previous layer: the layer takes the nearest fragments behind it
-  std::uint8_t* counts = nullptr;    ///< used instead of `before`; modulo 2^8, so that the order of triangles does not
-                                     ///< matter
-  std::uint8_t step = 0;             ///< added for each fragment
-  bool behind = false;               ///< true: fragments behind the layer are counted; false: all other fragments are
+  const void* first_cell = nullptr;
+  const void* before = nullptr;    ///< cells of the previous layer: the layer takes the nearest fragments behind it
+  std::uint8_t* counts = nullptr;  ///< used instead of `before`; modulo 2^8, so that the order of triangles does not
+                                   ///< matter
+  std::uint8_t step = 0;           ///< added for each fragment
+  bool behind = false;             ///< true: fragments behind the layer are counted; false: all other fragments are
 };
 
 template <DepthMode mode>

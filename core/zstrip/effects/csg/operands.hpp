@@ -6,7 +6,6 @@
 
 namespace zstrip::detail::csg {
 
-/// The bounds of an operand.
 struct CsgBounds {
   std::uint16_t left, top, right, bottom;  ///< pixels of the picture that it can cover; empty if it is invisible
   std::uint32_t first_meshlet;             ///< counted over all instances
@@ -21,7 +20,6 @@ struct CsgState {
 };
 static_assert(sizeof(CsgState) == Effect::kStateBytes);
 
-// Returns the state of a frame with operands.
 inline CsgState& state_of(const FrameState& frame) { return *effect_block(frame).at<Effect, CsgState>(); }
 inline CsgBounds& bounds_of(const FrameState& frame, std::size_t operand) {
   return effect_block(frame).at<Effect, CsgBounds>(Effect::kStateBytes)[operand];
@@ -34,7 +32,6 @@ inline std::byte* strip_memory(const FrameState& frame) {
 /// Checks a plan for a scene with CSG. `cell_bytes`: bytes of a cell of the z-buffer.
 Status check_memory(const FrameRequest& request, std::uint32_t cell_bytes);
 
-/// Prepares all operands, before the strips.
 void prepare_operands(FrameState& frame, const Camera& camera);
 /// Makes the operands invisible to all other stages.
 void hide_operands(FrameState& frame);

@@ -21,7 +21,7 @@ constexpr std::uint16_t blended(std::uint16_t own, std::uint16_t other, std::uin
 
 /// A strip whose edges are blended. Rectangles are in raster pixels.
 struct EdgeTarget {
-  Rect area;                 ///< pixels of the strip
+  Rect area;
   std::uint16_t* pixels;     ///< without gaps
   Rect known;                ///< the strip with its apron
   const std::uint16_t* own;  ///< pixels of `known` before blending, without gaps

@@ -12,7 +12,7 @@ struct Effect : AnyEffect {
 
   static constexpr Effects kNeedMemory = effect::environment;
   static constexpr std::uint32_t kFrameBytes = 8;
-  static constexpr std::uint32_t kEyeFormsBytes = 68;  ///< bytes for an instance
+  static constexpr std::uint32_t kEyeFormsBytes = 68;
   static constexpr std::uint64_t bytes(const SceneCounts& counts) {
     return kFrameBytes + std::uint64_t{counts.instances} * kEyeFormsBytes;
   }

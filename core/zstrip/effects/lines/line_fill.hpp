@@ -23,7 +23,7 @@ struct SampleGrid {
 /// The colour of one line's pixels; the effects determine which members are used.
 template <Effects effects>
 struct LineShade {
-  Colour colour{};                ///< colour of the line
+  Colour colour{};
   std::uint16_t pixel = 0;        ///< `colour` in RGB565
   const FogCurve* fog = nullptr;  ///< only with effect::fog
   std::int64_t depth_offset = 0;  ///< the offset of distance_at
@@ -104,7 +104,6 @@ class LineFill {
   static RasterVertex vertex(const WidePosition& p) { return {p.x, p.y, p.depth, 0, 0, 0, 0, 0}; }
   static std::uint64_t stepped(std::uint32_t depth) { return std::uint64_t{depth} << kDepthBits; }
 
-  /// Returns the pixel that contains a coordinate.
   static std::int32_t pixel_of(std::int32_t coordinate) { return (coordinate - kCentreBias) >> 4; }
   /// Returns the coordinate whose pixel_of is the first of `width` pixels around `coordinate`.
   static std::int32_t before(std::int32_t coordinate, std::int32_t width) { return coordinate - 8 * (width - 1); }
@@ -219,7 +218,6 @@ class LineFill {
     }
   }
 
-  /// Returns the value that DepthRule steps.
   static auto value(std::uint64_t depth) {
     if constexpr (kMode.format == DepthFormat::z16 || kMode.format == DepthFormat::float16) {
       return stepped_depth<kMode.format>(static_cast<std::uint32_t>(depth >> kDepthBits));

@@ -6,7 +6,6 @@
 
 namespace zstrip::detail::lines {
 
-/// Extends `reach` by each set in the camera's depth range.
 void extend(DistanceRange& reach, const Scene& scene, const Camera& camera);
 /// Compiles the sets of lines. The frame has the depth mapping of z16, whatever its format; DepthStage later changes
 /// frame and lines.

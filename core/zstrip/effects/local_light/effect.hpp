@@ -14,8 +14,8 @@ struct Effect : AnyEffect {
 
   static constexpr Effects kNeedMemory = effect::local_light;
   static constexpr std::uint32_t kFrameLightsBytes = 192;
-  static constexpr std::uint32_t kWorldLightBytes = 44;  ///< bytes for one of these lights
-  static constexpr std::uint32_t kShadingBytes = 68;     ///< bytes for an instance
+  static constexpr std::uint32_t kWorldLightBytes = 44;
+  static constexpr std::uint32_t kShadingBytes = 68;
   static constexpr std::uint64_t bytes(const SceneCounts& counts) {
     return kFrameLightsBytes + std::uint64_t{counts.instances} * kShadingBytes;
   }

@@ -35,7 +35,6 @@ constexpr std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
 using Gain = std::uint32_t;
 inline constexpr Gain kAllOfIt = 1U << 12, kMaxGain = 1U << 20;
 
-/// A punctual light of the frame.
 struct WorldLight {
   WorldPoint position;
   UnitVector towards;         ///< 1.14, opposite to the spot's direction
@@ -87,7 +86,6 @@ struct InstanceShading {
 };
 static_assert(sizeof(InstanceShading) == local_light::Effect::kShadingBytes);
 
-/// Values of the frame for its local light.
 struct FrameLights {
   WorldLight lights[kMaxPunctualLights];
   UnitVector back;  ///< 1.14: the direction to the eye of an orthographic camera

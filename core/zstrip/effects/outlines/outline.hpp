@@ -23,7 +23,6 @@ constexpr bool is_outline(const CompiledInstance& instance) { return instance.li
 /// Returns the triangle with its back as its front, so that faces which face away are drawn.
 constexpr Triangle turned_round(const Triangle& triangle) { return {triangle.a, triangle.c, triangle.b}; }
 
-/// A vertex of an outline's hull.
 struct HullVertex {
   std::int32_t right, down;  ///< added to its raster coordinates, 1/16 pixels; below 2^12 for any normal
   std::int32_t w;            ///< distance, in the scale of the instance's form; below 2^30

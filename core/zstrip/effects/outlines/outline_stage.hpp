@@ -20,7 +20,6 @@ struct OutlinedScene {
 };
 static_assert(sizeof(OutlinedScene) <= Effect::kSceneBytes);
 
-/// Returns the data of a frame with outlines.
 inline OutlinedScene* outlined_of(const FrameState& frame) { return effect_block(frame).at<Effect, OutlinedScene>(); }
 
 /// Adds the hulls of outlines to the scene as instances, and removes the outlines. Afterwards the instances lie in the

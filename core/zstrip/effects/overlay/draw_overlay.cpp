@@ -9,7 +9,6 @@
 namespace zstrip {
 namespace {
 
-/// The pixels that are drawn into.
 struct Target {
   Rect area;
   std::uint16_t* pixels;

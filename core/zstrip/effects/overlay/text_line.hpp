@@ -10,7 +10,6 @@
 
 namespace zstrip::detail {
 
-/// Returns the text up to a byte of 0.
 constexpr std::span<const char> whole_text(std::span<const char> text) {
   std::size_t size = 0;
   while (size < text.size() && text[size] != '\0') ++size;

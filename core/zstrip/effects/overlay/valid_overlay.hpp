@@ -13,7 +13,6 @@ enum class OverlayPart : std::uint8_t { image, font, sprite, label };
 
 namespace detail {
 
-/// Returns the bytes of a row of coverage.
 constexpr std::uint32_t coverage_row_bytes(std::uint32_t width, std::uint32_t bits) { return (width * bits + 7) / 8; }
 
 constexpr bool valid_coverage_bits(std::uint8_t bits) { return bits == 1 || bits == 4 || bits == 8; }

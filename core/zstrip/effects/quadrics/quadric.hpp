@@ -38,7 +38,6 @@ struct CompiledQuadric {
 };
 static_assert(sizeof(CompiledQuadric) <= kQuadricBytes);
 
-/// Extends `reach` by each quadric in the camera's depth range.
 void extend(DistanceRange& reach, std::span<const Quadric> quadrics, const Camera& camera);
 
 /// Returns the distances that the quadric spans along the viewing direction. They may be behind the camera.

@@ -6,7 +6,6 @@
 
 namespace zstrip::detail::shadows {
 
-/// Returns the state of a frame with shadows.
 inline ShadowState& state_of(const FrameState& frame) { return *effect_block(frame).at<Effect, ShadowState>(); }
 
 }  // namespace zstrip::detail::shadows

@@ -32,7 +32,7 @@ struct ShadowState {
   DirectionalLight lights[kMaxLights];  ///< lights of the scene; the shadow's light is the last one
   std::span<std::byte> pool;
   DepthStore store;
-  Camera camera;  ///< camera of the map
+  Camera camera;
   DepthFit fit;
   bool empty;  ///< there are no casters
   ShadowPlace place;

@@ -38,7 +38,6 @@ struct FaceLists {
         end(rows.end) {}
 };
 
-/// Implements list_faces in C++.
 inline bool list_faces_portable(FaceLists& faces, const Triangle* triangles, std::uint32_t count) {
   Bins bins = *faces.bins;  // the members of a copy can stay in registers
   const std::uintptr_t vertices = faces.vertices;

@@ -127,7 +127,6 @@ template <TexelLight lit, bool affine>
   } while (--count != 0);
 }
 
-/// The rows that are still to be drawn.
 struct RowsLeft : TriangleRows {
   MediumRows& edges;
   std::int32_t count;  ///< remaining rows of the current part, from `row` on

@@ -14,7 +14,6 @@
 
 namespace zstrip::detail {
 
-/// These implement draw_medium in C++.
 bool draw_medium_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
 bool draw_medium_flat_portable(const MediumTriangle& triangle, std::uint16_t colour);
 

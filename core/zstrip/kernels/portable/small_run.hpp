@@ -29,7 +29,6 @@ struct PortableSmallRun {
       : target(strip), vertices(first_of_vertices), colours(first_of_colours), first_vertex(first) {}
 };
 
-/// Implements draw_small_run in C++.
 inline std::uint32_t draw_small_run_portable(const PortableSmallRun& run, const Triangle* triangles,
                                              std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) {

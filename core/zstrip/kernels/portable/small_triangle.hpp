@@ -144,7 +144,6 @@ template <bool gouraud, bool statistics, class Rule>
   }
 }
 
-/// The set-up and the scan in C++, for draw_small_by_scan.
 struct PortableSmallStages {
   template <bool gouraud, bool statistics>
   [[gnu::always_inline]] static void set_up(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
@@ -193,7 +192,6 @@ void draw_small_by_scan(const StripTarget& target, const SnappedVertex& v0, cons
   Stages::template draw<gouraud, statistics>(scan, rule);
 }
 
-/// Implements draw_small_triangle in C++.
 template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
 void draw_small_triangle_portable(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
                                   const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,

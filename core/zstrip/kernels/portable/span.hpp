@@ -10,7 +10,6 @@
 
 namespace zstrip::detail {
 
-/// Implements fill_flat in C++.
 template <bool statistics, class DepthPlane, class Rule>
 void fill_flat_portable(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                         std::uint16_t colour, Statistics* counters) {
@@ -24,7 +23,6 @@ void fill_flat_portable(const Span<typename Rule::Cell>& span, const DepthPlane&
   }
 }
 
-/// Implements fill_gouraud in C++.
 template <bool statistics, class DepthPlane, class Rule>
 void fill_gouraud_portable(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                            const ColourPlanes& planes, Statistics* counters) {

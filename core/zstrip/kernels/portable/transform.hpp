@@ -11,7 +11,6 @@
 
 namespace zstrip::detail {
 
-/// Implements transform_vertices in C++.
 template <Effects effects>
 bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                                  std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {

@@ -15,8 +15,8 @@ struct TriangleRows {
   std::int32_t anchor_x, anchor_y;
   std::int32_t right;          ///< the column after the last one
   std::int32_t width, height;  ///< size of the triangle, 12.4
-  std::int32_t row;            ///< the next row
-  std::int32_t middle, end;    ///< the first row of the second part; the row after the last one
+  std::int32_t row;
+  std::int32_t middle, end;  ///< the first row of the second part; the row after the last one
   bool middle_is_left;
 
   /// Sets all members except the rows.
@@ -35,7 +35,6 @@ struct TriangleRows {
   /// True if the triangle crosses neither the left nor the right side of the strip.
   bool lies_in(const Rect& strip) const { return anchor_x >= strip.left && right <= strip.right; }
 
-  /// Finds the rows in the strip. Returns false if there are none.
   bool find_rows(const MediumTriangle& t) {
     const Rect& strip = t.target.area;
     row = std::max<std::int32_t>(t.v0.y >> 4, strip.top);

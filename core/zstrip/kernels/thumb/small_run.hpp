@@ -17,8 +17,8 @@ struct ThumbSmallRun {
   SmallScan scan;           ///< scan of the current triangle
   std::uintptr_t vertices;  ///< the address of the mesh's vertex 0, although the cache holds only a run of vertices
   std::uintptr_t colours;   ///< the address of the colour of vertex 0
-  Rect area;                ///< area of the strip
-  std::uint16_t* depth;     ///< the cell of the area's upper left corner
+  Rect area;
+  std::uint16_t* depth;  ///< the cell of the area's upper left corner
   std::uint16_t* colour;
   const StripTarget* strip;
 

@@ -90,7 +90,6 @@ struct EdgeBlock {
 // The classes below colour the pixels of blocks: column() returns the colour() of a column of blocks and goes down to
 // the next row.
 
-/// Pixels of one colour.
 struct OneColour {
   Halves pixels;
 
@@ -126,7 +125,6 @@ struct WordBlock {
     const Words right = word_in_all<number>(steps_x), down = word_in_all<number>(steps_y);
     return {word_in_all<number>(starts) + multiples_0_to_3(right), right, down};
   }
-  /// Returns the upper halves of all words.
   Halves halves() const { return upper_halves(upper, upper + step_y); }
   void move_right() { upper += step_x << 2; }
   void go_down() { upper += step_y + step_y; }

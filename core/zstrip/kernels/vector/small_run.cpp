@@ -245,7 +245,6 @@ class FourDrawn {
   }
 
  private:
-  /// Converts colours as rgb565 does.
   static Words rgb565_of_words(Words colours) {
     const Words r = (colours & in_all_words(0xF8)) << 8, g = (colours >> 5) & in_all_words(0x07E0);
     return r | g | ((colours >> 19) & in_all_words(0x1F));

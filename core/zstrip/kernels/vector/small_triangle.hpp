@@ -10,7 +10,6 @@
 
 namespace zstrip::detail {
 
-/// The arguments of draw_small_triangle.
 struct SmallTriangle {
   const StripTarget& target;
   const SnappedVertex &v0, &v1, &v2;
@@ -21,7 +20,6 @@ struct SmallTriangle {
 
 /// Returns false, and draws nothing, if the strip has no room for whole blocks of 4 x 2 pixels.
 bool draw_small_flat_vector(const SmallTriangle& triangle, std::uint16_t colour);
-/// Draws a triangle with interpolated colours.
 bool draw_small_gouraud_vector(const SmallTriangle& triangle, const Colour* const (&colours)[3]);
 
 /// The look of a run's triangles, except for their vertices.

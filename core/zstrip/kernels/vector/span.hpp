@@ -13,11 +13,10 @@ struct GouraudSpan {
   std::uint32_t step_z, step_r, step_g, step_b;
 };
 
-/// Draws a span with one colour; `length` > 0.
 void fill_flat_vector(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, std::uint32_t z,
                       std::uint32_t step_z, std::uint16_t colour);
 
-/// Draws a span with a colour that varies; `length` > 0.
+/// Draws a span with a colour that varies. In both functions `length` > 0.
 void fill_gouraud_vector(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, const GouraudSpan& span);
 
 }  // namespace zstrip::detail

@@ -88,7 +88,6 @@ inline Words rotated(Words three) { return as_words(_mm_shuffle_epi32(as_sse2(th
 inline Halves swapped_in_pairs(Halves values) {
   return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(as_sse2(values), 0xB1), 0xB1));
 }
-/// Returns the upper halves of eight words.
 inline Halves upper_halves(Words first_four, Words last_four) {
   return as_halves(_mm_packs_epi32(_mm_srai_epi32(as_sse2(first_four), 16), _mm_srai_epi32(as_sse2(last_four), 16)));
 }
@@ -119,7 +118,6 @@ inline Halves upper_pairs(Halves low, Halves high) {
 /// These alternate the halves of both vectors.
 inline Halves interleaved_low(Halves a, Halves b) { return as_halves(_mm_unpacklo_epi16(as_sse2(a), as_sse2(b))); }
 inline Halves interleaved_high(Halves a, Halves b) { return as_halves(_mm_unpackhi_epi16(as_sse2(a), as_sse2(b))); }
-/// Returns the uppermost bit of each word.
 inline std::uint32_t upper_bits(Words words) {
   return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(as_sse2(words))));
 }
@@ -145,7 +143,6 @@ inline bool any_set(Halves values) { return any_clear(as_halves(values == Halves
 
 /// Returns the products of the lower halves of words plus those of the upper halves, signed.
 inline Words sums_of_products(Halves a, Halves b) { return as_words(_mm_madd_epi16(as_sse2(a), as_sse2(b))); }
-/// Returns the first word of sums_of_products.
 inline std::int32_t sum_of_products(Halves a, Halves b) { return static_cast<std::int32_t>(sums_of_products(a, b)[0]); }
 /// Compares pairs: negative if the lower half is, or if the lower half is 0 and the upper half is negative.
 inline Words lower_then_upper(Halves pairs) { return sums_of_products(pairs, in_all_pairs(1 << 14, 1)); }
@@ -336,7 +333,6 @@ class FormOfFour {
   Halves high_xy_, high_z_, low_xy_, low_z_;
 };
 
-/// Stores four pairs of words.
 inline void store_pairs(void* at, Words first, Words second) {
   const __m128i a = as_sse2(first), b = as_sse2(second);
   auto* const to = static_cast<__m128i*>(at);

@@ -60,7 +60,6 @@ inline Words arithmetically_right(Words values, int by) {
   return as_words(__builtin_bit_cast(Signed, values) >> by);
 }
 
-/// Compares signed words.
 inline Words greater(Words a, Words b) {
   using Signed [[gnu::vector_size(16)]] = std::int32_t;
   return as_words(__builtin_bit_cast(Signed, a) > __builtin_bit_cast(Signed, b));
