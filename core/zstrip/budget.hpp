@@ -9,8 +9,8 @@
 
 namespace zstrip {
 
-/// The numbers of a scene that a plan depends on. 0xFFFFFFFF: that many or more. An outline counts as an instance of
-/// its hull.
+/// The numbers of a scene that a plan depends on. 0xFFFFFFFF: that many or more. An outline counts as a hull's
+/// instance.
 struct SceneCounts {
   std::uint32_t instances = 0;        ///< with outlines
   std::uint32_t triangles = 0;        ///< sum over all instances
@@ -56,8 +56,7 @@ struct Budget {
 inline constexpr std::uint32_t kArenaAlignment = 8;     ///< bytes
 inline constexpr std::uint32_t kMaxArena = 0xFFFFFFF0;  ///< bytes; a plan that needs more is refused
 
-/// The strips of a picture, and the bytes of the arena by purpose. Valid for every frame of a scene with the same
-/// counts.
+/// The strips of a picture, and the bytes of the arena by purpose. Valid for every frame with the same counts.
 struct Plan {
   Mode mode = Mode::streamed;        ///< how geometry gets into the strips
   std::uint16_t strip_rows = 0;      ///< pixels; the last strips of a column may have fewer

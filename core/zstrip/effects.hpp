@@ -1,5 +1,4 @@
-// The effects that a scene needs. The set is a template argument of the renderer: an effect outside the set adds no
-// code.
+// The effects that a scene needs. The set is a template argument of the renderer: other effects add no code.
 #pragma once
 
 #include <cstdint>
@@ -131,8 +130,7 @@ inline constexpr Effects csg_colours{std::uint64_t{1} << 63};  ///< DepthUse::ma
 }  // namespace effect
 // NOLINTEND(readability-identifier-naming)
 
-/// Returns Error::effect_missing for these effects: the lower 32 bits of the set in `needed`, the upper bits in
-/// `available`.
+/// Returns Error::effect_missing for these effects: the lower 32 bits of the set in `needed`, the upper in `available`.
 constexpr Status effects_missing(Effects effects) {
   return {.error = Error::effect_missing,
           .needed = static_cast<std::uint32_t>(effects.bits),
@@ -245,8 +243,7 @@ constexpr Effects effects_of(const View& view) {
   return view.dither ? samples | effect::dithered_format : samples;
 }
 
-/// Returns exactly the effects, shades included, that drawing this scene with this camera needs. constexpr for baked
-/// scenes.
+/// Returns exactly the effects, with shades, that this scene needs with this camera. constexpr for baked scenes.
 constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
   Effects found{};
   const bool has_tables = !scene.finishes.empty() || !scene.punctual_lights.empty();

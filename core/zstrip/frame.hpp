@@ -1,5 +1,4 @@
-// The frame that an application reads through Renderer::frame(): bounds, depth, statistics. renderer.hpp includes this
-// header.
+// The frame that an application reads through Renderer::frame(): bounds, depth, statistics. renderer.hpp includes it.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +39,7 @@ class Frame {
   /// The rectangle of the picture that depth() covers, in pixels.
   const Rect& depth_area() const { return state_->depth_area; }
 
-  /// True if depth() holds 16-bit codes of which only 0 means cleared: false with 32-bit formats, sub-ranges or
-  /// shadows.
+  /// True if depth() holds 16-bit codes and only 0 means cleared: false with 32-bit formats, sub-ranges or shadows.
   bool has_plain_depth() const { return !state_->has_special_depth; }
 
   /// True if this frame drew `strip` last, so that depth() is the depth of `strip`.

@@ -35,7 +35,6 @@ std::optional<std::uint8_t> i2c_address(std::string_view text) {
   return value;
 }
 
-/// Takes the keys of an address with `i2c`.
 Outcome<PanelWiring> take_i2c(DisplayAddress& address, PanelWiring wiring) {
   if (address.kind() != "ssd1306") return address.fault("i2c", "is only for ssd1306: other controllers have none");
   if (wiring.spidev || wiring.clock || wiring.data || wiring.select || wiring.miso || wiring.data_command ||

@@ -21,8 +21,8 @@ struct PanelWiring {
   static hal::Outcome<PanelWiring> take(DisplayAddress& address);
 
   std::optional<std::string> spidev, clock, data, select, miso, i2c, data_command, reset, backlight;
-  std::optional<std::uint32_t> hertz;  ///< clock of spidev
-  std::uint8_t address = 0x3C;         ///< on I2C
+  std::optional<std::uint32_t> hertz;
+  std::uint8_t address = 0x3C;  ///< on I2C
 
   /// True if a wire carries the panel's answers. With spidev the controller has one.
   bool can_read() const { return spidev || miso; }

@@ -17,7 +17,6 @@ struct PlayOptions {
   double frames_per_second = 0;       ///< upper limit; 0: as many as the display takes
 };
 
-/// The result of play().
 struct Played {
   std::uint32_t frames = 0;
   double seconds = 0;

@@ -22,7 +22,6 @@ class StopSignals {
   void watch(std::function<bool()> ended) { ended_ = std::move(ended); }
   static constexpr std::chrono::milliseconds kWatchEvery{15};
 
-  /// True if a signal has arrived.
   bool arrived() { return arrived_before(Clock::now()); }
   /// Returns true as soon as a signal has arrived, false at `deadline`.
   bool arrived_before(Clock::time_point deadline);

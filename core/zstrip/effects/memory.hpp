@@ -26,8 +26,7 @@ struct EffectMemory {
   /// True if effects among these have any memory.
   static constexpr bool has_any(Effects effects) { return effects.any((Parts::kNeedMemory | ...)); }
 
-  /// Returns the bytes of all parts and their header. `called_for` must be a subset of `possible`; code is generated
-  /// only for that.
+  /// Returns the bytes of all parts and their header. `called_for` is a subset of `possible`, which alone has code.
   template <Effects possible = (Parts::kNeedMemory | ...)>
   static constexpr std::uint64_t bytes(Effects called_for, const SceneCounts& counts) {
     if (!has_any(called_for)) return 0;

@@ -1,5 +1,4 @@
-// The hooks of an effect's stage in a frame. A wing's Stage overrides the hooks that it needs; the other hooks generate
-// no code.
+// The hooks of an effect's stage in a frame. A wing's Stage overrides the hooks that it needs; others have no code.
 #pragma once
 
 #include <cstddef>
@@ -108,7 +107,6 @@ struct NoStage {
   static Status finish(FrameState&, const StripTarget&, std::uint16_t /*strip*/) {
     return {};
   }
-  /// Checks that a part of the frame can be drawn over other pixels.
   template <Effects effects>
   static Status check_over(const FrameState&) {
     return {};

@@ -26,8 +26,7 @@ constexpr bool draws(Effects effects, Effects wanted) {
          (effects.methods == 0) == (wanted.methods == 0);
 }
 
-// The rows, the fastest first. Each list is a source file, so that they compile in parallel. The lists have static
-// storage.
+// The rows, the fastest first. Lists are separate sources, to compile in parallel, and have static storage.
 std::span<const PipelineRow> rows_of_triangles();  ///< scenes without other effects; each way to shade has its own row
 std::span<const PipelineRow> rows_of_effects();    ///< any effects
 std::span<const PipelineRow> rows_of_depth();      ///< any effects, with another format or mapping of depth

@@ -140,7 +140,7 @@ class BinReader {
   }
   std::uint16_t batch() const { return batch_; }
 
-  /// Returns the next entries of the current chunk; empty at the end of the list. The chunks of a list have ascending
+  /// Returns the next entries of the current chunk; empty at the end of the list. A list's chunks have ascending
   /// numbers.
   std::span<const std::uint16_t> rest() {
     if (at_ == end_) return {};

@@ -14,8 +14,7 @@ using Varying = std::int32_t ClipVertex::*;
 constexpr Place kPlaces[] = {&ClipVertex::x, &ClipVertex::y, &ClipVertex::w};
 constexpr Varying kVaryings[] = {&ClipVertex::r, &ClipVertex::g, &ClipVertex::b, &ClipVertex::u, &ClipVertex::v};
 
-/// A plane of the clip volume. A guard band's plane ignores as many fraction bits as necessary to keep the distance
-/// below 2^58.
+/// A plane of the clip volume. A guard band's plane ignores fraction bits to keep the distance below 2^58.
 struct Plane {
   Place along;
   std::int64_t scale, w, d;  ///< signed distance scale * along + w * w + d, >= 0 inside
@@ -43,7 +42,7 @@ struct Fraction {
     high = first.quotient;
     low = divide_long(std::uint64_t{first.rest} << 31, divisor).quotient;
   }
-  /// Returns value * fraction for |value| < 2^47.
+  /// |value| < 2^47.
   [[gnu::noinline]] std::int64_t of(std::int64_t value) const {
     return scaled(value, high) + (scaled(value, low) >> 31);
   }

@@ -41,8 +41,7 @@ constexpr Reciprocal reciprocal_of_wide(std::int64_t w) {
   return {reciprocal(static_cast<std::uint32_t>((bits << zeros) >> 32)), zeros - (32 - kClipBits)};
 }
 
-/// x, y and depth of a vertex inside the clip volume. They have the same bits as from project_narrow for a vertex that
-/// both accept.
+/// x, y and depth of a vertex inside the clip volume. Same bits as from project_narrow, if both accept it.
 struct WidePosition {
   std::int32_t x, y;
   std::uint32_t depth;

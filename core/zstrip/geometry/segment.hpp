@@ -7,8 +7,7 @@
 
 namespace zstrip::detail {
 
-/// The ends of a segment, or a point twice, clipped and snapped like the corners of triangles. Depth as in
-/// project_depth.
+/// The ends of a segment, or a point twice, clipped and snapped like triangles. Depth as in project_depth.
 struct SnappedSegment {
   WidePosition a, b;
 };

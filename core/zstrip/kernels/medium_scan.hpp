@@ -1,5 +1,4 @@
-// The data of the kernels of medium triangles, for all implementations: the triangle, and the values that a scan of its
-// rows steps.
+// The data of the kernels of medium triangles: the triangle, and the values that a scan of its rows steps.
 #pragma once
 
 #include <cstddef>

@@ -35,8 +35,7 @@ inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const Snapp
   }
 }
 
-/// Draws a triangle, or returns false and leaves it to its spans. `colours` are those of the three vertices if
-/// `gouraud`.
+/// Draws a triangle, or returns false and leaves it to its spans. `colours`: of the vertices if `gouraud`.
 template <bool gouraud>
 bool draw_medium(const MediumTriangle& triangle, const Colour* const (&colours)[3], std::uint16_t flat_colour) {
   if constexpr (kHasVectors) {

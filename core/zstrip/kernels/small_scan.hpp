@@ -17,8 +17,7 @@ inline constexpr std::int32_t kSmallExtent = 181;
 /// Depth differences of small triangles stay below 8192 codes, so that 31-bit products keep the promised precision.
 inline constexpr std::uint32_t kSmallDepthDifference = 1U << 29;  // 16.16
 
-/// Returns true if draw_small_triangle may draw this triangle. The result depends only on the triangle, never on the
-/// strip.
+/// Returns true if draw_small_triangle may draw this triangle. Depends only on the triangle, not on the strip.
 inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVertex& a, const SnappedVertex& b,
                      const SnappedVertex& c) {
   // Compares halves, because differences of whole depths need 33 bits.
@@ -76,8 +75,7 @@ struct SmallScan {
   void set(Value value, const SmallPlane& plane) {
     start[value] = plane.start, step_x[value] = plane.step_x, step_y[value] = plane.step_y;
   }
-  /// Copies byte by byte, because GCC calls memcpy for a colour, which need not be aligned, if words must be aligned
-  /// (Cortex-M0).
+  /// Copies byte by byte, because GCC calls memcpy for an unaligned colour on a Cortex-M0.
   void set_colour(int vertex, const Colour& colour) {
     colours[vertex].r = colour.r, colours[vertex].g = colour.g, colours[vertex].b = colour.b;
   }

@@ -47,7 +47,6 @@ template <bool gouraud, bool statistics, class Rule>
   }
 }
 
-/// The processor's set-up and scan, for draw_small_by_scan.
 struct SmallStages {
   template <bool gouraud, bool statistics>
   [[gnu::always_inline]] static void set_up(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,

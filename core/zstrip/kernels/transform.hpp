@@ -33,8 +33,7 @@ namespace zstrip::detail {
   }
 }
 
-/// Writes `count` vertices from `first` on. Returns true if all are narrow, so that the loop over the triangles need
-/// not test them.
+/// Writes `count` vertices from `first` on. Returns true if all are narrow, so that triangles need no test.
 template <Effects effects>
 bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {

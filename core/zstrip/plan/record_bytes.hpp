@@ -69,8 +69,7 @@ constexpr std::uint64_t cells_with_apron(std::uint32_t rows, std::uint32_t colum
   return wider(rows, view.height) * wider(columns, view.width);
 }
 
-/// Returns the bytes for a strip with this many cells of `cell_bytes`: two layers of depth, a count and a mark for each
-/// cell.
+/// Returns the bytes for a strip with `cells` of `cell_bytes`: two layers of depth, a count and a mark for each cell.
 constexpr std::uint64_t csg_strip_bytes(std::uint64_t cells, std::uint32_t cell_bytes) {
   return cells * (2 * cell_bytes + 2);
 }
@@ -96,7 +95,6 @@ constexpr std::uint64_t colour_bytes_of_edges(std::uint32_t rows, std::uint32_t 
 /// With several samples a pixel, strips are not drawn in place: pixels are means of samples.
 constexpr bool drawn_in_place(const View& view) { return drawn_in_place(view.format) && view.samples == 1; }
 
-/// Returns the bytes of the instances that begin_frame compiles.
 constexpr std::uint64_t instance_bytes(const SceneCounts& counts) {
   return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes +
          std::uint64_t{counts.line_sets} * kLineSetBytes;

@@ -1,5 +1,4 @@
-// Draws the triangles of a meshlet: culls them, and draws them one by one, or in runs if the processor has a loop for
-// runs.
+// Draws the triangles of a meshlet: culls them, and draws them one by one, or in runs.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +30,7 @@ struct Assembler : NarrowAssembler<effects> {
   template <Shade shade, bool all_narrow>
   static constexpr bool kSmallRuns = Narrow::template kSmallRuns<shade, all_narrow>;
 
-  /// Culls and draws `count` triangles, from triangle_at(0) on. `all_narrow`: no vertex of the batch needs the clipping
-  /// path.
+  /// Culls and draws `count` triangles, from triangle_at(0) on. `all_narrow`: no vertex needs the clipping path.
   template <Shade shade, bool all_narrow, class TriangleAt>
   static void draw_triangles(const StripTarget& target, const Batch& batch, std::size_t count,
                              const TriangleAt& triangle_at) {
@@ -196,8 +194,7 @@ struct Assembler : NarrowAssembler<effects> {
     with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
   }
 
-  /// Draws the next triangles of the list, a BinReader or ListedTriangles. They face the viewer, or both sides are
-  /// drawn.
+  /// Draws the next triangles of the list, a BinReader or ListedTriangles. All are to be drawn.
   template <class List>
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
                           List& list, bool all_narrow) {

@@ -52,8 +52,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     }
   }
 
-  /// True if the triangle is small and lies in one octave of the small float: only then are the codes of its vertices
-  /// on a plane.
+  /// True if the triangle is small and lies in one octave of the small float: only then are its codes on a plane.
   static bool is_small_in_octave(std::int32_t width, std::int32_t height, const SnappedVertex& a,
                                  const SnappedVertex& b, const SnappedVertex& c) {
     const std::uint32_t octave = float16_octave(a.depth);
@@ -67,8 +66,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return batch.instance->double_sided;
   }
 
-  /// Return the smallest and the largest value. They use whole words because halfwords would be extended for every
-  /// comparison.
+  /// Return the smallest and the largest value. Whole words: halfwords would be extended for every comparison.
   static std::pair<std::int32_t, std::int32_t> range(std::int32_t a, std::int32_t b) {
     return a < b ? std::pair(a, b) : std::pair(b, a);
   }
@@ -127,8 +125,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
   }
 
-  /// Returns twice the signed area, positive for front faces; differences of narrow coordinates are below 2^15, so 31
-  /// bits suffice.
+  /// Returns twice the signed area, positive for front faces; narrow differences are below 2^15, so 31 bits suffice.
   static std::int32_t narrow_area(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
     return (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
   }
@@ -176,8 +173,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
                                !methods::guesses(kDepth.method()) && !kDepth.compares_codes();
-    // Where runs draw the small triangles, only larger ones get here; vectors also leave small ones for which blocks
-    // have no room.
+    // Where runs draw the small triangles, only larger ones get here; vectors also leave some small ones.
     constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided && !kHasVectors;
     constexpr bool kGouraud = shade == Shade::gouraud;
     [[maybe_unused]] const Colour* colours[3] = {nullptr, nullptr, nullptr};

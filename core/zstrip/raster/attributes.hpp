@@ -72,8 +72,7 @@ struct VertexAttributes {
     vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);
   }
 
-  /// Returns the colour of the triangle's first vertex; clipping and culling may have changed the order of the
-  /// vertices.
+  /// Returns the colour of the triangle's first vertex; clipping and culling may change the vertices' order.
   template <Shade shade>
   static std::uint16_t flat_colour(const Batch& batch, const Triangle& triangle) {
     if constexpr (shade == Shade::flat && kColours) {

@@ -39,8 +39,7 @@ struct TriangleClipper {
   static_assert(without(effects, effect::two_sided) == without(clip_effects(effects), effect::two_sided));
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
 
-  /// Computes the corners in full width and the mesh's indices of these vertices. Colours and texture coordinates are
-  /// set to 0.
+  /// Computes the corners in full width and their mesh indices. Colours and texture coordinates are set to 0.
   [[gnu::noinline]] static void begin(const Batch& batch, const Triangle& triangle, ClipPolygon& clipped,
                                       std::uint32_t (&indices)[3]) {
     clipped.count = 3;

@@ -28,8 +28,8 @@ constexpr std::uint16_t dithered_rgb565(std::uint32_t r, std::uint32_t g, std::u
 inline constexpr std::uint32_t kSpreadChannels = 0x07E0F81F;
 inline constexpr std::uint32_t kOneInEach = (1U << 21) | (1U << 11) | 1U;
 
-/// Returns a channel's start value for interpolation, 8.16. Half a unit is added, so that an error below 1/2 never
-/// wraps.
+/// Returns a channel's start value for interpolation, 8.16. It has half a unit more, so that errors below 1/2 never
+/// wrap.
 constexpr std::int32_t channel_start(std::uint8_t channel) { return (channel << 16) | 0x8000; }
 
 /// Converts a light channel in 8.16 to a factor, 0 .. 256.

@@ -9,8 +9,8 @@
 
 namespace zstrip::detail {
 
-/// `pixel` is the first pixel whose centre is not left of the edge, so that a span [left.pixel, right.pixel) obeys the
-/// top-left rule.
+/// `pixel` is the first one whose centre is not left of the edge: a span [left.pixel, right.pixel) obeys the top-left
+/// rule.
 struct EdgeWalk {
   EdgeWalk() = default;
   /// The edge from (x0, y0) down to (x1, y1), y0 < y1, at the pixel row `row`, whose centre lies in y0 .. y1. `narrow`:

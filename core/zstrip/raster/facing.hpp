@@ -10,8 +10,7 @@
 
 namespace zstrip::detail {
 
-/// The raster pixels that a triangle of narrow vertices can cover, computed on demand: bins of whole rows never use
-/// columns.
+/// The raster pixels that a triangle of narrow vertices can cover, computed on demand: bins of rows never use columns.
 struct NarrowPixels {
   const SnappedVertex &a, &b, &c;
 
@@ -26,7 +25,6 @@ struct NarrowPixels {
   static std::int32_t greatest(std::int32_t i, std::int32_t j, std::int32_t k) { return std::max(std::max(i, j), k); }
 };
 
-/// The pixels that a clipped triangle can cover.
 struct ClippedPixels {
   Rect pixels;
 

@@ -107,8 +107,7 @@ FragmentPoint point_at(const FragmentPlanes<effects>& planes, std::int32_t colum
   return point;
 }
 
-/// Returns the step a pixel for a difference over a run, rounded down. The run begins `left` pixels before the span's
-/// end.
+/// Returns a run's step a pixel for a difference, rounded down. The run begins `left` pixels before the span's end.
 constexpr std::int32_t step_of_run(std::int32_t difference, std::int32_t left) {
   if (left > kPerspectiveRun) return difference >> 4;
   if (left <= 1) return 0;
@@ -203,8 +202,7 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
   std::uint16_t* pixel = span.colour;
   FragmentPoint from = point_at(planes, column, span.rows);
   for (;;) {
-    // A full run ends at the first pixel of the next run, the last run at its own last pixel, so that both are inside
-    // the triangle.
+    // A full run ends at the first pixel of the next run, the last run at its own last pixel, both inside the triangle.
     const std::int32_t length = std::min(left, kPerspectiveRun);
     const FragmentPoint to =
         left > 1 ? point_at(planes, column + (left > kPerspectiveRun ? length : length - 1), span.rows) : from;

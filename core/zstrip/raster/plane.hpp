@@ -55,8 +55,7 @@ struct WidePlane {
 class PlaneSetup {
  public:
   using Value = std::int64_t;
-  /// `area` is twice the signed area of the triangle (> 0). The anchor is the pixel of the picture that is nearest to
-  /// the triangle.
+  /// `area` is twice the signed area of the triangle (> 0). The anchor is the picture's pixel nearest to the triangle.
   PlaneSetup(const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2, std::int64_t area,
              std::int32_t anchor_x, std::int32_t anchor_y)
       : inverse_(ScaledReciprocal::of(static_cast<std::uint64_t>(area))),

@@ -19,7 +19,6 @@ namespace zstrip::detail {
 /// column in which the number may change, if that column is before `end`.
 int winding_number(const RasterVertex* vertices, int count, std::int32_t column, std::int32_t row, std::int32_t& end);
 
-/// A polygon of at most kMaxPolygon vertices.
 class RasterPolygon {
  public:
   void append(const RasterVertex& vertex) { vertices_[count_++] = vertex; }

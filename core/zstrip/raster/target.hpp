@@ -27,7 +27,6 @@ struct StripTarget {
   std::uint16_t* colour_row(std::int32_t y) const { return colour + (y - area.top) * colour_stride; }
 };
 
-/// Returns the strip with the drawing area reduced to `part`.
 template <class Cell, class Target>
 Target part_of(const Target& target, const Rect& part) {
   Target result = target;

@@ -1,5 +1,4 @@
-// Perspective-correct texture coordinates: u/w, v/w and 1/w are linear on the screen, so that 16 pixels need one
-// division.
+// Perspective-correct texture coordinates: u/w, v/w and 1/w are linear on the screen, so 16 pixels need one division.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +30,7 @@ template <bool orthographic>
 class TextureCoordinates {
  public:
   TextureCoordinates() = default;
-  /// `depth_offset` is DepthFit::offset. `planes` is a PlaneSetup, or MediumPlanes, in words of 32 bits, if
-  /// fits_words().
+  /// `depth_offset` is DepthFit::offset. `planes`: a PlaneSetup, or 32-bit MediumPlanes if fits_words().
   template <class Planes, class Vertex>
   TextureCoordinates(const Planes& planes, const Vertex* const (&v)[3], std::int64_t depth_offset) {
     using Value = typename Planes::Value;

@@ -1,5 +1,4 @@
-// Reads texels for fragments with effects: from any level, with or without a palette, nearest or bilinear, as 8 bits a
-// channel.
+// Reads texels for fragments with effects: any level, with or without a palette, nearest or bilinear, 8 bits a channel.
 #pragma once
 
 #include <algorithm>

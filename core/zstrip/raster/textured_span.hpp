@@ -78,8 +78,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
         from = {run.from_u, run.from_v};
       }
     }
-    // A full run ends at the first pixel of the next run, the last run at its own last pixel, so that both are inside
-    // the triangle.
+    // A full run ends at the first pixel of the next run, the last run at its own last pixel, both inside the triangle.
     const std::int32_t length = left > kRun ? kRun : left;
     place = coordinates.right_of(place, left > kRun ? kRun : left - 1);
     const TexelPosition to = coordinates.at(place);

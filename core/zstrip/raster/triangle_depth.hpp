@@ -1,5 +1,4 @@
-// The depth of a triangle over the picture: one plane or, with the small float, one for each octave that the triangle
-// spans.
+// The depth of a triangle over the picture: one plane or, with the small float, one for each of its octaves.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +34,6 @@ class TriangleDepth {
     }
   }
 
-  /// Calls draw(run, plane) for the runs that make up the span, from left to right.
   template <class Cell, class Draw>
   void for_each_run(const Span<Cell>& span, const Draw& draw) const {
     draw(span, plane_);

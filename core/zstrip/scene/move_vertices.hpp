@@ -16,7 +16,6 @@ struct JointMatrices {
   int fraction_bits;  ///< 6..14
 };
 
-/// Returns the error for the joint or the vertex of this index.
 constexpr Status wrong_skin(std::size_t index) {
   return {.error = Error::skin, .needed = static_cast<std::uint32_t>(index)};
 }

@@ -313,7 +313,6 @@ std::span<const Object> read_table(std::byte*& memory, std::span<const Record> r
   return {table, records.size()};
 }
 
-/// Returns the overlay, or null if there is none.
 const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memory) {
   // Sprites need images and labels need fonts; otherwise the blob is damaged.
   reader.require(all.sprites.empty() || !all.images.empty(), all.sprites.data());

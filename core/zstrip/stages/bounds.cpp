@@ -47,8 +47,8 @@ Rect pixels_of(const PositionBox& positions, const CompiledInstance& instance, c
   return cut.empty() ? Rect{} : cut;
 }
 
-/// Returns the sphere's cube, in positions. The radius is in units of the largest half extent, and is more units of a
-/// smaller one.
+/// Returns the sphere's cube, in positions. The radius is in units of the largest half extent, more units of a smaller
+/// one.
 PositionBox cube_of(const Meshlet& meshlet, const Mesh& mesh) {
   const Vec3& half = mesh.half_extent;
   const std::int32_t largest = std::max(std::max(half.x, half.y), half.z);

@@ -11,8 +11,7 @@ namespace zstrip::detail {
 /// Returns the distances of all instances that reach into the camera's depth range; kNoReach if none does.
 DistanceRange reach_of(const Scene& scene, const Camera& camera);
 
-/// Returns a fit to the part of `reach` in front of the camera, or to the camera's range if that is fixed; near == 0
-/// for kNoReach.
+/// Returns a fit to `reach` in front of the camera, or to the camera's fixed range; near == 0 for kNoReach.
 DepthFit fit_to(const DistanceRange& reach, const Camera& camera);
 
 /// Returns the picture pixels that the instance's bounding box can cover, cut to the view.

@@ -61,8 +61,7 @@ using FrameStateFor =
     std::conditional_t<effects.methods != 0, MethodFrameState,
                        std::conditional_t<effects.has(effect::depth_ranges), RangedFrameState, FrameState>>;
 
-/// Refuses a view with several samples in a renderer without effect::supersampled. Nothing is drawn until a new frame
-/// has begun.
+/// Refuses several samples in a renderer without effect::supersampled. Nothing is drawn until a new frame has begun.
 Status refuse_samples(FrameState& frame);
 
 }  // namespace zstrip::detail

@@ -195,8 +195,7 @@ struct GeometryStage {
     }
     return true;
   }
-  /// Lists the front faces of a meshlet in the fastest way for this meshlet. Returns false if the memory of the lists
-  /// is too small.
+  /// Lists a meshlet's front faces in the fastest way for it. Returns false if the memory of the lists is too small.
   template <Effects effects>
   static bool list_facing(FrameState& frame, const BatchOf<effects>& batch, const MeshletRange& range, bool all_narrow,
                           std::uint16_t number) {

@@ -34,7 +34,6 @@ Status check_own_request(const FrameRequest& request) {
   return {};
 }
 
-/// Checks a request of draw_strip, for a renderer with these effects.
 template <Effects effects>
 Status check_strip(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
   if constexpr (effects.has(effect::supersampled)) return check_strip_of_samples(frame, strip, pixels);

@@ -107,8 +107,7 @@ struct RasterStage {
     }
   }
 
-  /// Calls draw(target, strip) for the strips of the frame in `area`, with targets in `pixels` and `depth`, which have
-  /// no gaps.
+  /// Calls draw(target, strip) for the strips of the frame in `area`, in `pixels` and `depth` without gaps.
   template <class Draw>
   static void for_each_part(FrameState& frame, const Rect& area, std::uint16_t* pixels, std::uint16_t* depth,
                             const Draw& draw) {

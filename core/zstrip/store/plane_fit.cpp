@@ -31,7 +31,6 @@ struct Heights {
   std::int32_t spread() const { return greatest - least; }
 };
 
-/// The least and the greatest height, and their cells.
 struct Extremes {
   std::int32_t least = INT32_MAX, greatest = INT32_MIN;
   std::int32_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;

@@ -37,7 +37,7 @@ struct Piece {
   }
 };
 
-/// Decides for one triangle. `mode` is the fragments' mode with the method.
+/// `mode` is the fragments' mode with the method.
 template <DepthMode mode>
 class MidpointSplitter {
  public:

@@ -14,7 +14,6 @@ constexpr bool hides_by_bounds(Effects effects) { return effects.has(method::hie
 constexpr bool splits(Effects effects) { return effects.any(method::splitting); }
 /// True for methods that draw pieces by samples, and so may draw other pixels than the z-buffer.
 constexpr bool guesses(Effects effects) { return effects.has(method::midpoint); }
-/// True for methods that cull as VisibilityOptions says.
 constexpr bool culls(Effects effects) { return effects.has(method::culling); }
 
 /// Methods that act before a triangle is drawn, so that pixel loops do not depend on them.

@@ -11,7 +11,6 @@ namespace zstrip::board {
 /// no words or they do not fit.
 std::optional<std::string_view> read_command_line(std::span<char> buffer);
 
-/// Ends the emulator with this exit status.
 [[noreturn]] void exit_emulator(int status);
 
 }  // namespace zstrip::board

@@ -164,11 +164,10 @@ int run(const Arguments& arguments) {
 
 struct Workload {
   std::string_view name;
-  std::string_view depth;  ///< the depth format
+  std::string_view depth;
   int (*run)(const Arguments&);
 };
 
-/// Returns the exit status.
 inline int run_bench(std::span<const Workload> workloads) {
   static std::array<char, 256> buffer;
   const auto words = board::read_command_line(buffer);

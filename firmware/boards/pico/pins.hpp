@@ -8,7 +8,6 @@ namespace zstrip::board {
 
 inline constexpr std::uint32_t kHertz = chip::hertz();
 
-/// A pin that is an output.
 template <unsigned number>
 struct Pin {
   hal::Error set(bool high) const {

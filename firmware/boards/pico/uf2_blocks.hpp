@@ -36,7 +36,6 @@ inline Pages in_whole_sectors(const Pages& pages) {
   return whole;
 }
 
-/// Returns the file, with a block for each page.
 inline std::vector<std::uint8_t> to_uf2(const Pages& pages, const Board& board) {
   const Pages whole = in_whole_sectors(pages);
   std::vector<std::uint8_t> file;

@@ -11,8 +11,7 @@ Wide3 column(const Transform& transform, int index) {
   return {transform.m[0][index], transform.m[1][index], transform.m[2][index]};
 }
 
-/// Sets column `index` of `to` to `axis` (2.30) with the length that the column has in `from`. Not inlined, to save
-/// flash.
+/// Sets column `index` of `to` to `axis` (2.30) with the column's length in `from`. Not inlined, to save flash.
 [[gnu::noinline]] void turn_column(const Transform& from, Transform& to, int index, const Vec3& axis) {
   const Wide3 v = column(from, index);
   // 16.22, rounded down, below 2^31: entries are at most 2^24, so that the sum, with 12 bits more, is below 2^62.

@@ -5,8 +5,7 @@
 
 namespace zstrip::detail::billboards {
 
-/// Rotates the scene's billboards towards the camera. Afterwards the scene's instances lie in the effects' part of the
-/// arena.
+/// Rotates the scene's billboards towards the camera. Its instances then lie in the effects' part of the arena.
 Status turn(const FrameState& frame, Scene& scene, const Camera& camera);
 
 struct Stage : NoStage {

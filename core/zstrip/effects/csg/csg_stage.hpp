@@ -116,7 +116,6 @@ struct Stage : NoStage {
     visit(range, batch);
   }
 
-  /// Calls visit(range, batch) for each meshlet of an operand that touches the strip.
   template <Effects effects, class Visit>
   static void for_each_in_strip(FrameState& frame, std::size_t operand, std::uint16_t strip, const Visit& visit) {
     const StripGrid::Place place = frame.grid.place_of(strip);
@@ -154,7 +153,6 @@ struct Stage : NoStage {
   template <Effects effects, Effects drawing>
   class Layers {
    public:
-    /// `part` is the part of the strip, with its z-buffer.
     Layers(FrameState& frame, const StripTarget& part, std::uint16_t strip)
         : frame_(frame), part_(part), strip_(strip), depth_(part.template depth_row<Cell<effects>>(part.area.top)) {
       const std::size_t cells = std::size_t{frame.plan.strip_rows} * frame.plan.strip_columns;
@@ -230,8 +228,7 @@ struct Stage : NoStage {
       return any;
     }
 
-    /// Keeps the pixels of the layer that this operand does not exclude from the product. Returns false if none
-    /// remains.
+    /// Keeps the layer's pixels that this operand does not exclude. Returns false if none remains.
     bool keep_inside(std::size_t operand) {
       if (may_cover(frame_, operand, part_)) {
         count(operand);

@@ -7,8 +7,7 @@
 namespace zstrip {
 namespace {
 
-/// Returns levels of 4 bits in the upper bits of the channels; the luma of such a grey has the level in its upper 4
-/// bits.
+/// Returns levels of 4 bits in the upper bits of the channels; such a grey's luma has the level in its upper 4 bits.
 constexpr std::uint16_t of_levels(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
   return static_cast<std::uint16_t>((r << 12) | (g << 7) | (b << 1));
 }

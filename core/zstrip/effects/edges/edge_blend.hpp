@@ -45,8 +45,7 @@ struct EdgeTarget {
     }
   };
 
-  /// Blends pixel (x, y) with its neighbour (to_x, to_y), if the edge is visible there. `edge` is the edge's code at
-  /// this place.
+  /// Blends pixel (x, y) with its neighbour (to_x, to_y), if the edge is visible there. `edge` is its code there.
   void blend(std::int32_t x, std::int32_t y, std::int32_t to_x, std::int32_t to_y, std::uint32_t weight,
              std::int32_t edge, const Surface& surface) const {
     if (to_x < known.left || to_x >= known.right || to_y < known.top || to_y >= known.bottom) return;
@@ -93,7 +92,6 @@ class EdgeBlend {
   static constexpr int kBits = sizeof(Int) == 4 ? 16 : 32;
   static constexpr int kDepthBits = sizeof(Int) == 4 ? 6 : 30;
 
-  /// An end: its coordinates along the longer axis and across it.
   struct End {
     std::int32_t along, across;
     std::uint32_t depth;

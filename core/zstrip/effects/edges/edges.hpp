@@ -176,8 +176,7 @@ bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const
 /// a to b. For a face narrower than a quarter of a pixel it returns the change over the face.
 template <class Int>
 std::uint32_t fall_of(const WidePosition& a, const WidePosition& b, const WidePosition& c) {
-  // Depths are in units of eight codes, so that 32 bits suffice: 13 bits of depth times 15 of length, the sum within
-  // 2^30.
+  // Depths are in units of eight codes, for 32 bits: 13 bits of depth times 15 of length, the sum within 2^30.
   constexpr int kCodeBits = 3;
   const auto depth = [](const WidePosition& p) { return static_cast<std::int32_t>(p.depth >> (16 + kCodeBits)); };
   const Int dx = Int{b.x} - a.x, dy = Int{b.y} - a.y;

@@ -9,7 +9,6 @@ namespace zstrip::detail::fog {
 
 static_assert(sizeof(FogCurve) == Effect::kCurveBytes);
 
-/// Returns the curve of a frame whose scene has fog.
 inline FogCurve* curve_of(const FrameState& frame) { return effect_block(frame).at<Effect, FogCurve>(); }
 
 }  // namespace zstrip::detail::fog

@@ -89,7 +89,6 @@ class LineFill {
   }
 
  private:
-  /// An end: its raster coordinates along the longer axis and across it.
   struct End {
     std::int32_t along, across;
     std::uint32_t depth;

@@ -7,8 +7,7 @@
 namespace zstrip::detail::lines {
 
 void extend(DistanceRange& reach, const Scene& scene, const Camera& camera);
-/// Compiles the sets of lines. The frame has the depth mapping of z16, whatever its format; DepthStage later changes
-/// frame and lines.
+/// Compiles the sets of lines. The frame still has the depth mapping of z16; DepthStage later changes both.
 Status prepare(FrameState& frame, const Scene& scene, const Camera& camera);
 
 }  // namespace zstrip::detail::lines

@@ -6,7 +6,6 @@
 
 namespace zstrip::detail::local_light {
 
-// Returns the data of a frame with highlights or punctual lights.
 inline FrameLights& lights_of(const FrameState& frame) { return *effect_block(frame).at<Effect, FrameLights>(); }
 inline InstanceShading& shading_of(const FrameState& frame, std::size_t instance) {
   return effect_block(frame).at<Effect, InstanceShading>(Effect::kFrameLightsBytes)[instance];

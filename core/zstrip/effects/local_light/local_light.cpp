@@ -1,5 +1,4 @@
-// Computes the constants of local light for a frame and for an instance, once each, in 64-bit arithmetic; see
-// local_light.hpp.
+// Computes local light's constants of a frame and an instance, once each, in 64 bits; see local_light.hpp.
 #include "zstrip/effects/local_light/local_light.hpp"
 
 namespace zstrip::detail {

@@ -141,8 +141,7 @@ struct LitPoint {
     add_highlight(from.unit, light.colour, gain);
   }
 
-  /// Adds all local light, times the surface's colours. `lights`: the directional lights, without the one that casts a
-  /// shadow here.
+  /// Adds all local light, times the surface's colours. `lights`: the directional lights, without a shadow's light.
   [[gnu::always_inline]] void add_all_to(LightSum& total, std::span<const DirectionalLight> lights,
                                          const FrameLights& frame, const Colour& colour, const Colour& specular) {
     if constexpr (effects.has(effect::specular)) {
@@ -162,7 +161,6 @@ struct LitPoint {
   }
 };
 
-/// Adds highlights, and point and spot lights.
 template <Effects effects>
 void add_local_light(LightSum& total, const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex,
                      const Scene& scene, const FrameLights* frame, const InstanceShading* shading,

@@ -11,8 +11,7 @@ namespace {
 /// Returns the width in 1/16 raster pixels along x.
 std::int64_t width_across(std::uint16_t width, const View& view) { return std::int64_t{width} * sample_columns(view); }
 
-/// Returns the number of 1/16 raster pixels for a unit of length (perspective: at distance 1) along x, with 16 fraction
-/// bits.
+/// Returns the 1/16 raster pixels of a unit of length (perspective: at distance 1) along x, with 16 fraction bits.
 std::int64_t sixteenths(const Camera& camera, const View& view) { return std::int64_t{camera.focal} * view.height * 8; }
 
 /// Returns how far a unit normal extends along the viewing direction. Perspective: in 1/2^30 of the distance, at most

@@ -8,7 +8,6 @@
 namespace zstrip::detail::outlines {
 namespace {
 
-/// Calls visit(index of the hull's instance, outline) for each outline, in order.
 template <class Visit>
 void for_each_hull(const OutlinedScene& outlined, const Visit& visit) {
   const Scene& scene = outlined.scene;

@@ -44,11 +44,9 @@ LitCorner lit_corner(const Mesh& mesh, std::uint32_t vertex, const PixelLightSet
   return {{n.x * (1 << 14), n.y * (1 << 14), n.z * (1 << 14)}, {}};
 }
 
-/// While a triangle is clipped, the colours of its vertices are replaced by the weights of its three corners; this is
-/// weight 1.
+/// While a triangle is clipped, its vertices hold weights of its three corners instead of colours; this is weight 1.
 inline constexpr std::int32_t kWholeCorner = 1 << 30;
 
-/// Sets the weights of a corner; `corner` is 0, 1 or 2.
 template <class Vertex>
 void set_corner(Vertex& vertex, int corner) {
   vertex.r = corner == 0 ? kWholeCorner : 0;

@@ -13,8 +13,7 @@
 
 namespace zstrip::detail {
 
-/// Adds a directional light; `colour` already contains the material's colour. `light` is 1.15 in the space of the
-/// normal.
+/// Adds a directional light; `colour` contains the material's. `light` is 1.15 in the space of the normal.
 template <class Light>
 void add_directional(LightSum& total, const Light& towards, const Colour& colour, const UnitVector& normal) {
   const std::int32_t cosine = normal.x * towards.x + normal.y * towards.y + normal.z * towards.z;  // 3.29: below 2^30
@@ -50,8 +49,7 @@ class PixelLight {
   /// True if this triangle is lit at its pixels.
   bool is_on() const { return is_on_; }
 
-  /// Returns the colour of the lit material, 0..255 a channel. Not inlined, so that the loop around it keeps its
-  /// registers.
+  /// Returns the colour of the lit material, 0..255 a channel. Not inlined: the loop keeps its registers.
   [[gnu::noinline]] FragmentColour at(std::int32_t columns, std::int32_t rows,
                                       const PixelLightSettings& settings) const {
     const CompiledInstance& instance = *settings.instance;

@@ -12,8 +12,7 @@ void prepare(FrameState& frame) {
     if (!compiled.visible || is_outline(compiled) || !is_lit_by_pixel(mesh, scene.materials[compiled.material])) {
       continue;
     }
-    // Vertices keep their own colour without light; directional and ambient light already contain the material's
-    // colour.
+    // Vertices keep their own colour without light; other light already contains the material's.
     compiled.lit = false;
     compiled.base = {255, 255, 255, 255};
     compiled.shade = with_lit_fragments(compiled.shade);

@@ -80,7 +80,6 @@ Side silhouette(const ViewQuadric& q, Scaled Scaled3::*across, const Scaled& pix
   return {pixel((middle - reach) * pixels_per_unit) - 1, pixel((middle + reach) * pixels_per_unit) + 2};
 }
 
-/// Returns the raster pixels of the view that the quadric can cover.
 Rect box_of(const ViewQuadric& q, const View& view, const Scaled& pixels_per_unit, bool orthographic) {
   const Side across = silhouette(q, &Scaled3::x, pixels_per_unit, orthographic);
   const Side up = silhouette(q, &Scaled3::y, pixels_per_unit, orthographic);
@@ -237,8 +236,7 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
   compiled.linear_x = static_cast<std::uint64_t>((per_leading * along_pole.step_x.x).fixed(0));
   compiled.linear_y = static_cast<std::uint64_t>((per_leading * along_pole.step_y.x).fixed(0));
 
-  // Discriminant: |ray|^2 (orthographic: |pole|^2) - |ray x pole|^2, which loses less by cancellation than the usual
-  // form.
+  // Discriminant: |ray|^2 (orthographic: |pole|^2) - |ray x pole|^2, which cancels less than the usual form.
   const PixelPlane across = ray.mapped([&](const Scaled3& v) { return cross(v, pole); });
   const auto product_of = [&](Scaled3 PixelPlane::*a, Scaled3 PixelPlane::*b) {
     const Scaled crossed = dot(across.*a, across.*b);

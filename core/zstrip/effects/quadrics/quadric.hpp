@@ -43,8 +43,7 @@ void extend(DistanceRange& reach, std::span<const Quadric> quadrics, const Camer
 /// Returns the distances that the quadric spans along the viewing direction. They may be behind the camera.
 DistanceRange distance_range(const Quadric& quadric, const Camera& camera);
 
-/// `fit` and `origin` are those of the frame, in any depth format. Returns Error::quadric if the transform has no
-/// inverse.
+/// `fit` and `origin` are the frame's, in any format. Returns Error::quadric if the transform has no inverse.
 Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quadric& quadric, const Camera& camera,
                        const View& view, const DepthFit& fit, const RasterOrigin& origin);
 

@@ -44,8 +44,7 @@ inline Colour lit_colour(const CompiledQuadric& quadric, const QuadricNormal& no
   return lit_by<19, 7>(quadric, normal);
 }
 
-/// Maps longitude to u and latitude to v: the middle of the texture faces the sphere's +z, its upper edge is the pole
-/// +y.
+/// Maps longitude to u and latitude to v: the middle of the texture faces the sphere's +z, its top is the pole +y.
 inline std::uint16_t texel_at(const TextureView& texture, const QuadricNormal& d) {
   const auto u = static_cast<std::uint32_t>(arctangent(d.x, d.z) + kFullTurn / 2) & 0xFFFFU;  // 0.16
   const std::uint64_t square = static_cast<std::uint32_t>(d.x * d.x + d.z * d.z);

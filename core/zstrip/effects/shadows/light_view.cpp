@@ -11,7 +11,6 @@ constexpr std::int64_t kMaxWord = INT32_MAX;
 
 Vec3 negated(const Vec3& v) { return {-v.x, -v.y, -v.z}; }
 
-/// Multiplies an axis in 2.30 by a factor in 2.30.
 Vec3 shortened(const Vec3& axis, std::int64_t factor) {
   const auto times = [factor](std::int32_t c) { return static_cast<std::int32_t>((c * factor) >> 30); };
   return {times(axis.x), times(axis.y), times(axis.z)};
@@ -40,8 +39,7 @@ Status light_camera(Camera& camera, const LightReach& reach, std::uint32_t side)
   const Status failure{.error = Error::shadow};
   const Vec3 right = negated(reach.axes[0].back), up = negated(reach.axes[1].back), back = reach.axes[2].back;
   std::int64_t half_x = half_of(reach.along[0], side), half_y = half_of(reach.along[1], side);
-  // Both halves must be large enough for their reciprocals, and the smaller one large enough that its axis keeps some
-  // bits.
+  // Both halves must be large enough for their reciprocals, and the smaller one for some bits of its axis.
   const std::int64_t larger = std::max<std::int64_t>(std::max(half_x, half_y), 256);
   if (larger > kMaxWord) return failure;
   half_x = std::max(half_x, std::max<std::int64_t>(larger >> 6, 256));

@@ -1,5 +1,4 @@
-// Draws the shadow map as a separate frame, in the memory of the frame that gets the shadow, before that frame is
-// drawn.
+// Draws the shadow map as a separate frame, in the memory of the frame that then gets the shadow.
 #pragma once
 
 #include "zstrip/effects/shadows/kept.hpp"

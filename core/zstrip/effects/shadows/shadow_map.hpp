@@ -74,8 +74,7 @@ struct ShadowState {
 };
 static_assert(sizeof(ShadowState) <= shadows::Effect::kStateBytes);
 
-/// Removes the shadow's light, the last one, from a compiled instance that receives shadows (by = -1), or restores it
-/// (1).
+/// Removes the shadow's light, the last one, from an instance that receives shadows (by = -1), or restores it (1).
 inline void leave_shadowing_light(CompiledInstance& instance, const Mesh& mesh, int by) {
   if ((instance.lit || has_lit_fragments(instance.shade)) && receives_shadow(mesh.shadow)) {
     instance.light_count = static_cast<std::uint8_t>(instance.light_count + by);

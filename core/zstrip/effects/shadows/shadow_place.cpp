@@ -21,8 +21,7 @@ struct MapAxis {
   Scaled at;
 };
 
-/// The same coordinate for a pixel of the picture and its distance w: offset + w (x, y, 1) for perspective, else offset
-/// + x + y + w.
+/// That coordinate for a pixel and its distance w: offset + w (x, y, 1) for perspective, else offset + x + y + w.
 struct PixelAxis {
   Scaled offset, x, y, w;
 };

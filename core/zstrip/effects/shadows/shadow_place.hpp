@@ -19,8 +19,7 @@ inline constexpr int kLog2HalfCode = format == DepthFormat::z24       ? 7
                                      : format == DepthFormat::float16 ? 11
                                                                       : 15;
 
-/// Returns the middle of the depths for which a cell holds this code, in 1/2^32 of all codes (near / w for the small
-/// float).
+/// Returns the middle of the depths with this code, in 1/2^32 of all codes (near / w for the small float).
 template <DepthFormat format>
 constexpr std::uint32_t depth_of_code(std::uint32_t code) {
   if constexpr (format == DepthFormat::float16) {
@@ -98,7 +97,6 @@ struct ShadowPlace {
   }
 };
 
-/// The light's picture, of side x side pixels.
 struct LightPicture {
   const Camera& camera;
   DepthFit fit;  ///< z16

@@ -1,5 +1,4 @@
-// Compares the corners of an instance's box with the limits of project_narrow; only renderers with effect::unclipped
-// link it.
+// Compares a box's corners with the limits of project_narrow; only renderers with effect::unclipped link it.
 #include "zstrip/effects/unclipped/narrow_box.hpp"
 
 namespace zstrip::detail::unclipped {

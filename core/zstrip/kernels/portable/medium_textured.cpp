@@ -16,8 +16,7 @@
 namespace zstrip::detail {
 namespace {
 
-/// The planes of texture coordinates, whose function is called three times: inlined, it would be three copies of some
-/// multiplications.
+/// plane() is not inlined: texture coordinates call it three times.
 class CalledPlanes : public MediumPlanes {
  public:
   using MediumPlanes::MediumPlanes;

@@ -1,5 +1,4 @@
-// Draws medium triangles in C++ on processors of 32 bits: planes by exact products of words, then rows between two
-// edges.
+// Draws medium triangles in C++ for 32-bit processors: planes by exact products of words, then rows.
 #pragma once
 
 #include <bit>
@@ -68,7 +67,6 @@ class MediumPlanes {
                  static_cast<std::int32_t>(depth_2 - depth_0));
   }
 
-  /// Computes the same plane as PlaneSetup::plane().
   Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
     // 31 + 23 bits, twice; a step has up to 41.
     const auto step = [this](std::int64_t along) {

@@ -37,8 +37,7 @@ inline SmallPlane small_depth(const SmallWeights& weights, std::int32_t inverse_
   return {depth_0 + along(weights.at_anchor), along(weights.right) << 4, along(weights.down) << 4};
 }
 
-/// Planes of colour channels in 8.8. Start and steps are rounded down; the error over a small triangle is less than 1/8
-/// unit.
+/// Planes of colour channels in 8.8. Start and steps are rounded down; a small triangle's error is below 1/8 unit.
 class SmallChannels {
  public:
   SmallChannels(const SmallWeights& weights, std::int32_t inverse_area) : inverse_area_(inverse_area) {

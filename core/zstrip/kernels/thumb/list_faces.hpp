@@ -8,7 +8,6 @@
 
 namespace zstrip::detail {
 
-/// Does the same as list_faces_portable.
 bool list_faces_thumb(FaceLists& faces, const Triangle* triangles, std::uint32_t count);
 
 }  // namespace zstrip::detail

@@ -15,8 +15,7 @@ struct TexturedVertex;
 /// DepthFit::offset. set_up_medium_thumb must have set up the other planes. For Thumb-2.
 void set_up_texture_thumb(TexturedScan& scan, const TexturedVertex* const* vertices, std::int64_t depth_offset);
 
-/// Draws `count` > 0 rows of a triangle with perspective and smooth light; moves the scan below them. `inverse` is
-/// kInverse.
+/// Draws `count` > 0 rows with perspective and smooth light; moves the scan below them. `inverse` is kInverse.
 void scan_textured_rows_thumb(TexturedScan& scan, const LitWordRunState& run, std::int32_t count,
                               const std::int32_t* inverse);
 

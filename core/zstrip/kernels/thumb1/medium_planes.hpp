@@ -34,7 +34,6 @@ class ThumbPlanes {
     offset_y_ = anchor_y * 16 + kPixelCentre - v0.y;
   }
 
-  /// Computes the same plane as PlaneSetup::plane().
   Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
     Plane plane;
     set_plane(plane, *this, value_0, d1, d2);
@@ -42,8 +41,7 @@ class ThumbPlanes {
   }
   /// Sets the planes of the scan's colours.
   void set_channels(MediumScan& scan) const;
-  /// Sets up the texture as TextureCoordinates<false> and its start_rows() do, for triangles for which its fits_words()
-  /// is true.
+  /// Sets up the texture as TextureCoordinates<false> and its start_rows() do, if its fits_words() is true.
   void set_texture(TexturedScan& scan, const TexturedVertex* const (&vertices)[3], std::int64_t depth_offset) const;
 
  private:

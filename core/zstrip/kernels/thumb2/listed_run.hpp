@@ -34,8 +34,7 @@ struct CarriedTriangles {
     return reinterpret_cast<CarriedTriangles*>(spare.data() + spare.size()) - 1;
   }
 
-  /// Call it before the triangles of a strip are drawn. Carried triangles are used if the strip lies directly below the
-  /// last one.
+  /// Call it before the triangles of a strip are drawn. Uses carried triangles if it lies directly below the last one.
   void begin_strip(const Bins& bins, const Rect& area) {
     if (begin == nullptr) {
       const std::span<std::uint16_t> spare = bins.spare();

@@ -87,8 +87,7 @@ struct EdgeBlock {
   }
 };
 
-// The classes below colour the pixels of blocks: column() returns the colour() of a column of blocks and goes down to
-// the next row.
+// The classes below colour the pixels of blocks: column() returns a column's colour() and goes down.
 
 struct OneColour {
   Halves pixels;

@@ -1,5 +1,4 @@
-// Draws pixels of medium textured triangles with smooth light: depth and the light's channels of one pixel are in one
-// vector.
+// Draws pixels of medium textured triangles with smooth light: one vector holds a pixel's depth and light.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +12,7 @@
 namespace zstrip::detail {
 namespace vectors {
 
-/// Does the same as modulated(). Words 1 to 3 are the light's red, green and blue; inside, each channel has its own
-/// word.
+/// Does the same as modulated(). Words 1 to 3 are the light's red, green and blue; each channel has its own word.
 inline std::uint16_t modulated(std::uint16_t texel, Words light) {
   const Words factors = (light >> 16) + (light >> 23);
   const Halves channels = as_halves(in_all_words(texel)) * Halves{0, 0, 1, 0, 1 << 5, 0, 1 << 11, 0};

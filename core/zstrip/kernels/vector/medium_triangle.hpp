@@ -13,8 +13,7 @@ namespace zstrip::detail {
 /// / 16 have 16 bits up to 4 pixels beyond the box.
 inline constexpr std::int32_t kMediumExtent = 640;
 
-/// These implement draw_medium. They also return false, and draw nothing, if the strip has no room for whole blocks of
-/// 4 x 2 pixels.
+/// These implement draw_medium. They also return false if the strip has no room for blocks of 4 x 2 pixels.
 bool draw_medium_flat_vector(const MediumTriangle& triangle, std::uint16_t colour);
 bool draw_medium_gouraud_vector(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
 

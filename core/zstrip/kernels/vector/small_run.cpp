@@ -24,8 +24,7 @@ using namespace vectors;
 constexpr std::uint16_t kChunk = 512;
 constexpr std::uint32_t kStep = 32, kAhead = 64;
 
-/// The positions of the set bits of a number, then kChunk, which is not an index; the last element is the number of set
-/// bits.
+/// The positions of the set bits of a number, then kChunk, which is not an index; the last element is their number.
 using Lanes = std::array<std::uint16_t, 8>;
 constexpr std::array<Lanes, 16> kLanes = [] {
   std::array<Lanes, 16> all{};

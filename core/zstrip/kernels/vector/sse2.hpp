@@ -239,8 +239,7 @@ Halves stepped_edge(Words starts, Halves steps) {
   return as_halves(_mm_packs_epi32(_mm_add_epi32(upper, start), _mm_add_epi32(lower, start)));
 }
 
-/// The weights of vertices 1 and 2: words 0 and 1 are the steps a pixel to the right and down, word 2 is the value at
-/// the anchor.
+/// The weights of vertices 1 and 2: words 0 and 1 are steps a pixel right and down, word 2 the value at the anchor.
 class Weights {
  public:
   /// From Edges: steps are at most 16 x 180, and the value at the anchor at most 8100.

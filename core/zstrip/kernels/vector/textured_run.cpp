@@ -25,7 +25,6 @@ class Texels {
 
  private:
   Halves indices(Words u, Words v) const { return as_halves(((v >> to_row_) & row_mask_) + (u >> to_column_)); }
-  /// Fetches four texels into the lanes from `first` on.
   template <int first>
   Halves fetched(Halves texels, Halves indices) const {
     texels[first] = texels_[indices[0]];

@@ -1,5 +1,4 @@
-// Transforms four vertices at a time. Only the divisions are done one by one, while the previous four vertices are
-// finished.
+// Transforms four vertices at a time. Only divisions are done one by one, while the previous four are finished.
 #include "zstrip/kernels/vector/transform.hpp"
 
 #include <algorithm>
@@ -23,8 +22,7 @@ class FourVertices {
   FourVertices(const CompiledInstance& instance, const RasterOrigin& origin)
       : FourVertices(instance, origin, NarrowProjection<false>(instance, origin)) {}
 
-  /// Four vertices whose reciprocals are being computed: a processor divides while it executes code that does not need
-  /// the quotient.
+  /// Four vertices whose reciprocals are being computed: a processor divides while it executes other code.
   struct Begun {
     FourPositions at;
     Words w, reciprocals;

@@ -23,8 +23,7 @@ constexpr bool fits_vector(const CompiledInstance& instance) {
 /// Vertices that are transformed at once. Meshlets with fewer vertices are left to C++.
 inline constexpr std::uint32_t kVectorVertices = 4;
 
-/// Writes `count` >= kVectorVertices vertices of an instance for which fits_vector is true. Returns true if all are
-/// narrow.
+/// Writes `count` >= kVectorVertices vertices; fits_vector must be true. Returns true if all are narrow.
 bool transform_vertices_vector(const CompiledInstance& instance, const RasterOrigin& origin, const Position* positions,
                                std::uint32_t count, SnappedVertex* vertices);
 

@@ -1,5 +1,4 @@
-// Vectors of 16 bytes, eight halves or four words, both modulo their size; and the functions that need only their
-// operators.
+// Vectors of 16 bytes, eight halves or four words, both modulo their size; and functions of their operators.
 #pragma once
 
 #include <cstdint>

@@ -77,7 +77,6 @@ inline constexpr Texture kCharacterTexture[] = {{kCharacterTexels, kCharacterTex
 inline constexpr Instance kCharacterInstance[] = {
     {.transform = {{{fixed(0.8), 0, fixed(0.6), 0}, {0, kFixedOne, 0, fixed(0.02)}, {fixed(-0.6), 0, fixed(0.8), 0}}}}};
 
-/// The scene at rest.
 inline constexpr BuiltIn character{
     .name = "character",
     .description = "a figure with a skeleton, textured, lit, Gouraud shaded, 4672 triangles",

@@ -211,7 +211,6 @@ inline constexpr Mesh kFloorMesh[] = {{.positions = kFloorPositions,
                                        .texcoord_bits = 10}};
 inline constexpr Material kMipmapMaterials[] = {{.texture = 0, .lit = false, .smooth = false},
                                                 {.texture = 0, .lit = false, .smooth = false, .finish = 0}};
-/// Returns a floor at (x, 0, z).
 consteval Instance floor_at(std::uint16_t material, double x, double z) {
   Instance instance{.material = material};
   instance.transform.m[0][3] = fixed(x);

@@ -40,7 +40,6 @@ constexpr Scene showroom_scene(std::span<const Instance> instances) {
           .ambient = kRoomScene.ambient};
 }
 
-/// The counts of the teapot alone.
 inline constexpr SceneCounts kShowroomTeapotCounts = teapot_meshlets.counts;
 
 }  // namespace zstrip::scenes

@@ -55,7 +55,6 @@ Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t fr
 /// Rotates the camera about the world's y axis in the same way, around a fixed scene; eye within kFarthestTurned.
 Camera turned(const Camera& at_rest, std::uint32_t frame, std::uint32_t frames);
 
-/// True if every translation of `transform` is within kFarthestTurned.
 bool can_turn(const Transform& transform);
 /// True if the camera's eye is within kFarthestTurned.
 bool can_turn(const Camera& camera);
