@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# readme_commands.sh ROOT ZSTRIP: every command in a ```sh block of the README, of docs/try.md, docs/program.md and
-# "Plain CMake" in docs/contributing.md, and each that host-sim/run proposes, is run, in a copy of the sources. So that
+# readme_commands.sh ROOT ZSTRIP: every command in a ```sh block of the README, of docs/try.md, docs/program.md,
+# docs/troubleshooting.md, whose files are taken out of the page, and "Plain CMake" in docs/contributing.md, and each
+# that host-sim/run proposes, is run, in a copy of the sources. So that
 # nothing is compiled a second time, ZSTRIP stands for the command that they build, and cmake only plans its builds: of
 # what it plans, EachFile and Consumer compile the rest. Left to other tests: installing (Consumer), a program with
 # pkg-config (Package.Debian), the board's program in the emulator (BakeBoard), and tests/run, which has run this.
@@ -37,6 +38,7 @@ exec $(command -v g++) \"\$@\""
 puts ctest "exec $(command -v ctest) \"\$@\" -N"
 puts qemu-system-arm "case \"\$*\" in *'-kernel build/m3/'*) exit 0 ;; esac
 exec $(command -v qemu-system-arm) \"\$@\""
+puts zstrip "exec '$scratch/tree/host-sim/run' \"\$@\""
 export PATH=$scratch/bin:$PATH HOME=$scratch/home SDL_VIDEODRIVER=dummy
 
 # Command lines of a page on standard input.
@@ -69,6 +71,11 @@ run_page() {
 run_page 1 README.md
 run_page 10 docs/try.md
 run_page 4 docs/program.md
+# A block after a line <!-- NAME --> is that file.
+awk '/^<!-- [a-z_]+\.(obj|toml) -->$/ { file = $2; next }
+  /^```/ { inside = file != "" && !inside; if (!inside) file = ""; next }
+  inside { print >file }' docs/troubleshooting.md
+run_page 14 docs/troubleshooting.md
 run_page 2 docs/contributing.md "Plain CMake"
 # "  $0 COMMAND   what it does"
 page=host-sim/run
