@@ -38,7 +38,7 @@ if(ZSTRIP_BASH)
 endif()
 
 if(TARGET zstrip)
-  install(TARGETS zstrip zstrip-measure RUNTIME COMPONENT zstrip_command)
+  install(TARGETS zstrip zstrip-any zstrip-measure RUNTIME COMPONENT zstrip_command)
   if(TARGET zstrip-view)
     install(TARGETS zstrip-view RUNTIME COMPONENT zstrip_command)
   endif()

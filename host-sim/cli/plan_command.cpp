@@ -21,6 +21,7 @@
 #include "text/text.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/prepared_scene.hpp"
+#include "zstrip/frame/pipeline.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -84,17 +85,20 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   steps.reset();
   if (!stage) return stage.failure();
-  for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Effects> effects = all_effects(**stage, *request);
   if (!effects) return effects.failure();
+  const DepthFormat kept_format =
+      depth_bytes(request->depth_format) == sizeof(std::uint16_t) ? request->depth_format : DepthFormat::z16;
+  // Before anything is printed: the command without it is replaced by zstrip-any.
+  pipeline_for(without(Effects{effects->bits}, effect::depth_formats | effect::depth_ranges) |
+               depth_effect(kept_format));
+  for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Done> checked = check_visibility(*effects, depth_option(arguments.depth_format));
   if (!checked) return checked.failure();
   const bool edged = effects->has(effect::edges);
   if (arguments.static_layer && edged) {
     return Failure{ExitStatus::usage, "a static layer keeps pixels as they were drawn; use --no-edges"};
   }
-  const DepthFormat kept_format =
-      depth_bytes(request->depth_format) == sizeof(std::uint16_t) ? request->depth_format : DepthFormat::z16;
   const Result<KeptFrames> kept =
       keep_frames(**stage, request->view, kept_format, kFramesOfTurn, arguments.static_layer);
   if (!kept) return kept.failure();

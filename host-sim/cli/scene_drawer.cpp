@@ -10,6 +10,7 @@
 #include "visibility/drawing.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/tree_stage.hpp"
+#include "zstrip/frame/pipeline.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -22,14 +23,22 @@ Result<std::unique_ptr<SimulatedPanel>> start_panel(const PanelRequest& request)
   return panel;
 }
 
+/// Looks for the pipeline of a frame before anything is printed: the command without it is replaced by zstrip-any.
+void find_pipeline(const Staging& staging, const Drawing& drawing) {
+  const Effects counts = drawing.visibility.show == Show::overdraw ? method::culling : Effects{};
+  pipeline_for(effects_of(staging.scene, staging.camera) | effects_of(drawing.view) | drawing.effects() |
+               drawing.visibility.method | counts | effect::bins);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Stage>> open_scene(const std::string& scene, const Drawing& drawing, std::uint32_t frames) {
   Result<std::unique_ptr<Stage>> stage = open_stage(scene, drawing.model, drawing.camera, drawing.view, frames);
   const bool shows_picture = shows_the_picture(drawing.visibility.show);
-  if (stage && !shows_picture) {
+  if (stage) {
     const Result<Staging> staging = (*stage)->place(0, frames);
-    if (staging && (drawing.edges.value_or(false) || !staging->scene.edges.empty())) {
+    if (staging) find_pipeline(*staging, drawing);
+    if (staging && !shows_picture && (drawing.edges.value_or(false) || !staging->scene.edges.empty())) {
       print_warning("--show shows pixels as they were drawn: edges are not smoothed");
     }
   }

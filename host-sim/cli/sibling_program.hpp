@@ -1,5 +1,5 @@
-// Subcommands that are separate programs next to the command: rendering, planning and baking need neither the
-// measurements, zstrip-measure, nor the window, zstrip-view.
+// Programs next to the command, which take its place: rendering, planning and baking need neither the measurements,
+// zstrip-measure, nor the window, zstrip-view, and few scenes the rare pipelines of zstrip-any.
 #pragma once
 
 #include <array>
@@ -33,8 +33,18 @@ inline constexpr std::array kSiblingCommands{kBenchCommand, kAccuracyCommand, kT
 /// Adds the subcommands to the help of the command.
 void add_sibling_commands(CLI::App& app);
 
-/// If the first word is one of them, replaces this process by its program. Returns only if that fails: an exit status,
-/// after it has printed the reason. Returns nothing for other words.
+/// Every subcommand of the command, with every pipeline.
+inline constexpr SiblingCommand kAnyPipeline{
+    .name = "", .description = "", .program = "zstrip-any", .how = "build the target zstrip-any"};
+
+/// Replaces this process by the program. Returns only if that fails: an exit status, after it has printed the reason.
+/// With ZSTRIP_BUILDS in the environment it prints nothing for a program that is not there, and returns kNotBuilt:
+/// host-sim/run then builds it.
+int become(const SiblingCommand& command, char** argv);
+inline constexpr int kNotBuilt = 75;
+
+/// If the first word is one of the subcommands, becomes its program, and returns only if that fails, like become.
+/// Returns nothing for other words.
 std::optional<int> run_sibling_program(int argc, char** argv);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,5 @@
 // The command as its users see it: help, list, files, reports.
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -36,6 +37,30 @@ TEST_F(Command, MeasuringWithoutItsProgramSaysWhatToBuild) {
     EXPECT_EQ(outcome.status, 3) << name;
     EXPECT_NE(outcome.err.find("build the target zstrip-measure"), std::string::npos) << outcome.err;
   }
+}
+
+TEST_F(Command, ARarePipelineIsThatOfZstripAnyAndWithoutItTheCommandSaysWhatToBuild) {
+  std::filesystem::copy_file(ZSTRIP_COMMAND, path("zstrip"));
+  for (const std::vector<std::string>& rare : std::vector<std::vector<std::string>>{{"--depth-format", "z24"},
+                                                                                    {"--perspective", "affine"},
+                                                                                    {"--visibility", "painter"},
+                                                                                    {"--show", "overdraw"}}) {
+    std::vector<std::string> words{"render", "knot_textured", "-o", "rare.png"};
+    words.insert(words.end(), rare.begin(), rare.end());
+    const Outcome outcome = run(path("zstrip"), words, path(""));
+    EXPECT_EQ(outcome.status, 3) << rare[1];
+    EXPECT_NE(outcome.err.find("build the target zstrip-any"), std::string::npos) << outcome.err;
+    EXPECT_EQ(zstrip(words).status, 0) << rare[1];
+  }
+  EXPECT_EQ(run(path("zstrip"), {"render", "knot_textured", "-o", "common.png"}, path("")).status, 0);
+}
+
+TEST_F(Command, WarningsAreSaidOnceWhereARarePipelineDraws) {
+  std::ofstream(path("unknown.obj")) << "usemtl none\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const Outcome common = zstrip({"render", "unknown.obj", "-o", "a.png"});
+  const Outcome rare = zstrip({"render", "unknown.obj", "-o", "b.png", "--depth-format", "z24"});
+  EXPECT_NE(common.err.find("warning: "), std::string::npos) << common.err;
+  EXPECT_EQ(rare.err, common.err);
 }
 
 TEST_F(Command, Version) {

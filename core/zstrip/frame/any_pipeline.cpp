@@ -32,9 +32,10 @@ Pipeline pipeline_for(Effects effects) {
   if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {
     effects = without(effects, effect::perspective_runs);
   }
-  for (const auto rows : {detail::rows_of_triangles(), detail::rows_of_effects(), detail::rows_of_depth(),
-                          detail::further_rows[0], detail::further_rows[1]}) {
-    for (const detail::PipelineRow& row : rows) {
+  // A program may define the later ones itself, so they are called only where no earlier row draws the effects.
+  for (const auto rows : {&detail::rows_of_triangles, &detail::rows_of_effects, &detail::rows_of_depth,
+                          +[] { return detail::further_rows[0]; }, +[] { return detail::further_rows[1]; }}) {
+    for (const detail::PipelineRow& row : rows()) {
       if (detail::draws(row.effects, effects)) return row.pipeline;
     }
   }

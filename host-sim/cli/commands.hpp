@@ -1,0 +1,9 @@
+// The subcommands of the command, whichever pipelines its program has.
+#pragma once
+
+namespace zstrip::sim {
+
+/// run_command_line with all subcommands but those of other programs, which only its help lists.
+int run_command(int argc, char** argv);
+
+}  // namespace zstrip::sim
