@@ -31,8 +31,8 @@ function(zstrip_compile_quickly)
 endfunction()
 
 # zstrip_compile_together(TARGET PART [QUICKLY] [PRECOMPILED header...] [APART source...]): if the part is to be. QUICKLY: of
-# the optimiser only -O1 then, as zstrip_compile_quickly. PRECOMPILED: these are parsed once. APART: names of theirs clash
-# with others', or the others would take long to be compiled again.
+# the optimiser only -O1 then, as zstrip_compile_quickly. PRECOMPILED: clang parses these once. APART: names of theirs
+# clash with others', or the others would take long to be compiled again.
 function(zstrip_compile_together target part)
   cmake_parse_arguments(PARSE_ARGV 2 arg "QUICKLY" "" "PRECOMPILED;APART")
   if(part IN_LIST ZSTRIP_COMPILE_TOGETHER)
@@ -44,10 +44,8 @@ function(zstrip_compile_together target part)
       string(MAKE_C_IDENTIFIER "${folder}" folder)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${folder}")
     endforeach()
-    if(arg_PRECOMPILED)
+    if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
       target_precompile_headers(${target} PRIVATE ${arg_PRECOMPILED})
-      # Or ccache keeps nothing of it.
-      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
     endif()
     if(arg_QUICKLY)
       target_compile_options(${target} PRIVATE $<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<CONFIG:Release>>:-O1>)
