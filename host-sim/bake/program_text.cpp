@@ -1,4 +1,4 @@
-// Text of programs that show a baked scene with zstrip::Player. It refers to constants of the header, and repeats none.
+// The text of programs that show a baked scene with zstrip::Player. It uses the constants of the header.
 #include "bake/program_text.hpp"
 
 #include <fmt/format.h>
@@ -39,10 +39,10 @@ constexpr std::string_view kPlayer =
     R"(constexpr zstrip::FitOptions kOptions{.strip_buffers = @::kBudget.strip_buffers > 1 ? 2 : 1,
                                       .split_columns = @::kBudget.split_columns,
                                       .strip_rows = @::kPlan.strip_rows};
-// The arena and the strips of the header's plan, which --ram makes smaller, what moves, and the gaps between.
+// The arena and the strips of the header's plan, which --ram makes smaller, moving data, and the gaps between them.
 std::byte memory[@::kPlan.bytes() + kOptions.strip_buffers * @::kPlan.strip_pixel_bytes(@::kView) +
                  @::kScene.instances.size_bytes() + @::kScene.lines.size_bytes())";
-/// Memory for the tables of the overlay, with room for a text of the player's.
+/// Memory for the tables of the overlay, with room for the player's text.
 constexpr std::string_view kOverlayTables =
     R"( +
                  (@::kOverlay.fonts.size() + 1) * sizeof(zstrip::Font) +
@@ -94,7 +94,7 @@ std::string cmake_argument(const std::string& file) {
   return plain ? file : "[[" + printable(file) + "]]";
 }
 
-/// `names`: the names that the text defines besides the header's namespace.
+/// `names`: the names that the text defines in addition to the header's namespace.
 Result<Done> check(const BakedScene& baked, const std::string& name_space, std::initializer_list<const char*> names) {
   if (std::ranges::find(names, name_space) != names.end()) {
     return Failure{ExitStatus::usage,
@@ -138,17 +138,17 @@ Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_s
 }
 
 std::string to_sketch(const BakedScene& baked, const std::string& name_space) {
-  // Before fit(), which counts the vertices of the skin.
+  // Called before fit(), which counts the vertices of the skin.
   const std::string pose =
       bends(baked) ? "  if (!@::pose_skins(player.time())) Serial.println(\"the skin is not posed\");\n" : "";
   std::string text = R"( A sketch for Arduino with an ST7789, written by `zstrip bake`.
-// It lies in a folder of its own name. scene.hpp is beside it: the same command with -o scene.hpp.
+// Put it into a folder of the same name, with scene.hpp, which the same command writes with -o scene.hpp.
 #include <zstrip.h>
 #include <zstrip_arduino.h>
 
 #include "scene.hpp"
 
-// The panel's pins beside SPI's clock and data. A module without a select pin: kSelect -1, and .mode = SPI_MODE3 below.
+// The panel's pins in addition to SPI clock and data. Without a select pin: kSelect = -1, and .mode = SPI_MODE3 below.
 constexpr int kDataCommand = 8, kReset = 9, kSelect = 10;
 constexpr std::uint32_t kHertz = 15'000'000;  // the data sheet's limit; modules are commonly run at 40'000'000
 
@@ -186,7 +186,7 @@ void loop() {
 std::string to_program(const BakedScene& baked, const std::string& name_space, const std::string& file) {
   const std::string head = R"( Written by `zstrip bake`.
 //     scene FILE [MILLISECONDS]    writes the picture at that time: its bytes, as `zstrip render --image raw` does
-// scene.hpp is beside it: the same command with -o scene.hpp. CMakeLists.txt, zstrip's repository in its folder zstrip:
+// The same command with -o scene.hpp writes scene.hpp. CMakeLists.txt, with zstrip's repository in the folder zstrip:
 //     cmake_minimum_required(VERSION 3.22)
 //     project(scene LANGUAGES CXX)
 //     set(CMAKE_BUILD_TYPE Release)
@@ -207,7 +207,7 @@ std::string to_program(const BakedScene& baked, const std::string& name_space, c
 )";
   text += player(baked);
   text += R"(
-// In place of a display: your own send() copies a strip to one.
+// Takes the place of a display: your own send() copies a strip to the display.
 constexpr std::size_t kRowBytes = zstrip::bytes_per_row(@::kView.width, @::kView.format);
 std::byte picture[kRowBytes * @::kView.height];
 
@@ -223,7 +223,7 @@ bool send(const zstrip::Rect& area, std::span<const std::byte> pixels) {
 int main(int count, char** words) {
   if (count < 2) return 2;
   const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
-  // In a loop each frame begins with player.play(now), in milliseconds of a clock.
+  // A loop calls player.play(now) before each frame, with the milliseconds of a clock.
   if (count > 2) player.seek(static_cast<std::uint32_t>(std::strtoul(words[2], nullptr, 10)));
 )";
   if (bends(baked)) text += "  if (!@::pose_skins(player.time())) return 1;\n";

@@ -19,7 +19,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Number of a skin's vertices up to which the compiler checks them: with more, Clang reaches its limit of steps. The
+/// The largest number of a skin's vertices that the compiler checks: with more, Clang reaches its limit of steps. The
 /// import has checked all of them.
 constexpr std::size_t kMaxChecked = 8192;
 
@@ -70,7 +70,7 @@ class Header {
     line(fmt::format("// A scene for zstrip, baked from {}: {} in {}, {}.", printable(baked_.source),
                      counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
                      counted(counts.instances, "instance")));
-    line(fmt::format("// Written by `zstrip bake`: bake again rather than edit. Placed for {}x{} pixels, {}.",
+    line(fmt::format("// Written by `zstrip bake`: do not edit, bake again. The camera is placed for {}x{} pixels, {}.",
                      baked_.view.width, baked_.view.height, name(baked_.view.format)));
     line("//");
     constexpr const char* kFixed[] = {
@@ -99,34 +99,32 @@ class Header {
     line("//");
     if (baked_.effects.has(method::in_order)) {
       line(
-          "// begin_frame and draw_strip return a Status: look at it. The triangles are in the order of "
-          "painter-newell,");
-      line("// for this camera only: with another one, or moved, they hide each other wrongly. Bake again for that.");
+          "// begin_frame and draw_strip return a Status: check it. The triangles are sorted by painter-newell, for "
+          "this");
+      line("// camera only: bake again for another camera, or after a change of a transform.");
       return;
     }
     if (bends()) {
-      line(
-          "// pose_skins writes the vertices that joints move, in RAM: before its first call they are zeros, and "
-          "nothing of");
-      line("// them is drawn. It returns a Status, too.");
+      line("// pose_skins writes the vertices that joints move, in RAM. Before its first call they are zeros, so that");
+      line("// nothing is drawn. It also returns a Status.");
     }
     if (is_fixed()) {
-      line("// begin_frame and draw_strip return a Status: look at it. To move the scene, change the transforms of");
+      line("// begin_frame and draw_strip return a Status: check it. To move the scene, change the transforms of");
       line(fmt::format(
-          "// `{}::FixedRenderer::Moving moving`, its instances(), and begin the frame with kCamera, moving.",
+          "// `moving.instances()`, with {}::FixedRenderer::Moving moving, and call begin_frame(kCamera, moving).",
           name_space));
     } else {
       line(
-          "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
+          "// begin_frame and draw_strip return a Status: check it. To move the scene, copy kInstances into RAM, "
           "change");
-      line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+      line("// their transforms, and begin the frame with a copy of kScene whose `instances` are your copy.");
     }
-    if (is_unclipped()) line("// Motions other than the one that was baked may need clipping: see kEffects.");
+    if (is_unclipped()) line("// Only the baked motion is known to need no clipping: see kEffects.");
     if (!baked_.tree.nodes.empty()) {
       line(fmt::format("// Before begin_frame: renderer.set_visibility({{.tree = &{}::kTree}});", name_space));
     }
     if (baked_.animation.tracks.empty()) return;
-    line("// Here they are animated: zstrip::pose(kAnimation, milliseconds, instances) changes them, each frame.");
+    line("// The scene has an animation: call zstrip::pose(kAnimation, milliseconds, instances) before each frame.");
   }
 
   /// Writes an array of these records unless it is empty; returns the expression that refers to it.
@@ -216,7 +214,7 @@ class Header {
   /// Writes the mesh table, and the skins of its meshes.
   void skins() {
     line(
-        fmt::format("\n/// The meshes as they were modelled, and what moves some of them.\n"
+        fmt::format("\n/// The meshes as they were modelled, and the skins of some of them.\n"
                     "inline constexpr zstrip::Mesh kBindMeshes[{}] = {{\n{}}};",
                     scene_.meshes.size(), meshes_));
     array("zstrip::Joint", "kJoints", skins_.joints);
@@ -248,7 +246,7 @@ class Header {
     text_ +=
         fmt::format("inline constexpr zstrip::Skin kSkins[{0}] = {{\n{1}}};\n{2}", skins_.meshes.size(), skins, checks);
     text_ += fmt::format(
-        "/// Where they are moved to: RAM. It holds zeros before the first pose_skins, not the rest pose.\n{1}"
+        "/// The moved vertices, in RAM: zeros, not the rest pose, before the first pose_skins.\n{1}"
         "inline constexpr zstrip::MovedVertices kMoved[{0}] = {{\n{2}}};\n\n"
         "/// The meshes that are drawn.\ninline constexpr zstrip::Mesh kMeshes[{3}] = {{\n{4}}};\n",
         skins_.meshes.size(), arrays, moved, scene_.meshes.size(), meshes);
@@ -256,7 +254,7 @@ class Header {
 
   void joint_animation() {
     if (!bends()) return;
-    line("\n/// What moves the joints: its tracks' `instance` is a joint. As long as kAnimation.");
+    line("\n/// The motion of the joints: Track::instance is the index of a joint. It lasts as long as kAnimation.");
     const std::string tracks = array("zstrip::Track", "kJointTracks", skins_.animation.tracks);
     const std::string keyframes = array("zstrip::Keyframe", "kJointKeyframes", skins_.animation.keyframes);
     line(fmt::format(
@@ -271,7 +269,7 @@ class Header {
     text_ += fmt::format(
         "inline zstrip::JointPose joint_poses[{0}] = {{\n    {1}}};\n"
         "inline zstrip::Transform joint_work[{0}];\n"
-        "/// Moves what joints move to where it is so many milliseconds after the animation's start, any time. Before\n"
+        "/// Moves the skins to their place at any time, in milliseconds after the animation's start. Call it before\n"
         "/// begin_frame.\n"
         "inline zstrip::Status pose_skins(std::uint32_t milliseconds) {{\n"
         "  std::ranges::copy(kJointRest, joint_poses);\n"
@@ -360,18 +358,18 @@ class Header {
 
   void tree() {
     if (baked_.tree.nodes.empty()) return;
-    line("\n/// The order of the triangles for every eye, which begin_frame needs.");
+    line("\n/// A tree with the order of the triangles for every position of the camera; begin_frame needs it.");
     array("zstrip::BspNode", "kNodes", baked_.tree.nodes);
     line("inline constexpr zstrip::BspTree kTree{.nodes = kNodes};");
   }
 
   void animation() {
-    line("\n/// What moves the instances, if it has tracks. Times in milliseconds.");
+    line("\n/// The motion of the instances, if it has tracks. Times in milliseconds.");
     const std::string tracks = array("zstrip::Track", "kTracks", baked_.animation.tracks);
     const std::string keyframes = array("zstrip::Keyframe", "kKeyframes", baked_.animation.keyframes);
     line(fmt::format("inline constexpr zstrip::Animation kAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};",
                      tracks, keyframes, baked_.animation.duration));
-    line("/// What moves without one, where several frames are shown.");
+    line("/// The motion of a scene without tracks, if several frames are shown.");
     line(fmt::format("inline constexpr zstrip::Turn kTurn{{.what = zstrip::Turning::{}, .still_instances = {}}};",
                      turning_name(baked_.turn.what), baked_.turn.still_instances));
   }
@@ -384,7 +382,8 @@ class Header {
     const Camera& c = baked_.camera;
     line(fmt::format(
         "\ninline constexpr zstrip::Camera kCamera{{.right = {},  // 2.30\n{pad}.up = {},\n{pad}.back = {},\n"
-        "{pad}.eye = {},  // 16.16, as all below\n{pad}.focal = {},\n{pad}.near_plane = {},\n{pad}.far_plane = {},\n"
+        "{pad}.eye = {},  // 16.16, like the members below\n{pad}.focal = {},\n{pad}.near_plane = {},\n{pad}.far_plane "
+        "= {},\n"
         "{pad}.projection = zstrip::Projection::{},\n{pad}.fixed_depth_range = {}}};",
         literal(c.right), literal(c.up), literal(c.back), literal(c.eye), c.focal, c.near_plane, c.far_plane,
         projection_name(), c.fixed_depth_range, fmt::arg("pad", "                                        ")));
@@ -400,19 +399,19 @@ class Header {
       settings = fmt::format(", {}, {}", view.dither, view.samples);
     }
     line(
-        fmt::format("\n/// The picture that camera and plan are for{}.\n"
+        fmt::format("\n/// The picture of camera and plan{}.\n"
                     "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}{}}};",
                     words, view.width, view.height, name(view.format), settings));
-    line(fmt::format("/// All that the scene calls for{}: the one pipeline to instantiate.",
+    line(fmt::format("/// All effects that the scene needs{}: instantiate one pipeline, with these.",
                      baked_.effects.has(effect::bins) ? ", and bins for the plan" : ""));
     if (is_unclipped()) {
       line(fmt::format(
-          "/// No clipping is linked. It was checked that the box of no instance crosses the near or the far "
-          "plane, or leaves the\n"
-          "/// thousand pixels around the picture's centre, {}.\n"
-          "/// A frame in which one does, because the program moves camera or instances otherwise, is "
-          "Error::clipping: for that,\n"
-          "/// bake with --clipping on.",
+          "/// No code for clipping is linked. The boxes of all instances stay between the near and the far plane and "
+          "within a\n"
+          "/// thousand pixels of the picture's centre, {}.\n"
+          "/// If the program moves camera or instances in another way and a box leaves this range, begin_frame "
+          "returns\n"
+          "/// Error::clipping; then bake with --clipping on.",
           baked_.unclipped_where));
     }
     line(fmt::format("inline constexpr zstrip::Effects kEffects = {};", literal(baked_.effects)));
@@ -434,7 +433,7 @@ class Header {
     line(fmt::format("inline constexpr zstrip::SceneCounts kCounts = zstrip::count({});",
                      bends() ? "kBindScene" : "kScene"));
     line(fmt::format(
-        "/// What --ram and the other options allowed, and the strips that were chosen for it: {} of arena and {} for\n"
+        "/// The limits of --ram and other options, and the strips that fit them: {} of arena and {} for\n"
         "/// each of {}.\n"
         "inline constexpr zstrip::Budget kBudget{{.bytes = {},\n{pad}.strip_rows = {},\n{pad}.strip_columns = {},\n"
         "{pad}.split_columns = {},\n{pad}.strip_buffers = {},\n{pad}.modes = zstrip::Modes::{}}};",
@@ -447,11 +446,11 @@ class Header {
         "static_assert(kPlanned.status, \"the picture does not fit the bytes of kBudget\");\n"
         "inline constexpr zstrip::Plan kPlan = kPlanned.plan;");
     if (!is_fixed()) return;
-    line(fmt::format(
-        "/// Draws kScene in kView: scene, picture and plan are constants, which the compiler has checked.\n"
-        "using FixedRenderer = zstrip::FixedRenderer<kScene, kView, kBudget, {},\n"
-        "                                            zstrip::Projection::{}, kCounts>;",
-        literal(beyond_scene), projection_name()));
+    line(
+        fmt::format("/// Draws kScene in kView: scene, picture and plan are constants that the compiler has checked.\n"
+                    "using FixedRenderer = zstrip::FixedRenderer<kScene, kView, kBudget, {},\n"
+                    "                                            zstrip::Projection::{}, kCounts>;",
+                    literal(beyond_scene), projection_name()));
   }
 
   const BakedScene& baked_;

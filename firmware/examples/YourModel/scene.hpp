@@ -1,5 +1,5 @@
 // A scene for zstrip, baked from ring.obj: 192 triangles in 2 meshlets, 1 instance.
-// Written by `zstrip bake`: bake again rather than edit. Placed for 240x240 pixels, rgb565_swapped.
+// Written by `zstrip bake`: do not edit, bake again. The camera is placed for 240x240 pixels, rgb565_swapped.
 //
 //     #include "zstrip/zstrip.hpp"
 //     alignas(4) std::array<std::byte, baked::FixedRenderer::kStripBytes> pixels;
@@ -11,8 +11,8 @@
 //       // baked::kPlan.strip_area(strip, baked::kView) of the picture is in `pixels`: send it to the display.
 //     }
 //
-// begin_frame and draw_strip return a Status: look at it. To move the scene, change the transforms of
-// `baked::FixedRenderer::Moving moving`, its instances(), and begin the frame with kCamera, moving.
+// begin_frame and draw_strip return a Status: check it. To move the scene, change the transforms of
+// `moving.instances()`, with baked::FixedRenderer::Moving moving, and call begin_frame(kCamera, moving).
 #pragma once
 
 #include "zstrip/animation.hpp"
@@ -130,28 +130,28 @@ inline constexpr zstrip::Scene kScene{.meshes = kMeshes,
                                       .ambient = {48, 48, 48, 255},
                                       .background = {0, 0, 0, 255}};
 
-/// What moves the instances, if it has tracks. Times in milliseconds.
+/// The motion of the instances, if it has tracks. Times in milliseconds.
 inline constexpr zstrip::Animation kAnimation{.tracks = {}, .keyframes = {}, .duration = 0};
-/// What moves without one, where several frames are shown.
+/// The motion of a scene without tracks, if several frames are shown.
 inline constexpr zstrip::Turn kTurn{.what = zstrip::Turning::instances_and_lines, .still_instances = 0};
 
 inline constexpr zstrip::Camera kCamera{.right = {1073741824, 0, 0},  // 2.30
                                         .up = {0, 1008983356, -367252081},
                                         .back = {0, 367252081, 1008983356},
-                                        .eye = {0, 80351, 252467},  // 16.16, as all below
+                                        .eye = {0, 80351, 252467},  // 16.16, like the members below
                                         .focal = 244599,
                                         .near_plane = 179467,
                                         .far_plane = 370084,
                                         .projection = zstrip::Projection::perspective,
                                         .fixed_depth_range = false};
 
-/// The picture that camera and plan are for.
+/// The picture of camera and plan.
 inline constexpr zstrip::View kView{240, 240, zstrip::PixelFormat::rgb565_swapped};
-/// All that the scene calls for: the one pipeline to instantiate.
+/// All effects that the scene needs: instantiate one pipeline, with these.
 inline constexpr zstrip::Effects kEffects = zstrip::effect::lighting | zstrip::effect::gouraud | zstrip::effect::shade_gouraud;
 static_assert(kEffects == (zstrip::effects_of(kScene, kCamera)));
 inline constexpr zstrip::SceneCounts kCounts = zstrip::count(kScene);
-/// What --ram and the other options allowed, and the strips that were chosen for it: 10,536 bytes of arena and 9,600 for
+/// The limits of --ram and other options, and the strips that fit them: 10,536 bytes of arena and 9,600 for
 /// each of 1 strip buffer.
 inline constexpr zstrip::Budget kBudget{.bytes = 20480,
                                         .strip_rows = 20,
@@ -162,7 +162,7 @@ inline constexpr zstrip::Budget kBudget{.bytes = 20480,
 inline constexpr zstrip::PlanResult kPlanned = zstrip::plan(kCounts, kView, kEffects, kBudget);
 static_assert(kPlanned.status, "the picture does not fit the bytes of kBudget");
 inline constexpr zstrip::Plan kPlan = kPlanned.plan;
-/// Draws kScene in kView: scene, picture and plan are constants, which the compiler has checked.
+/// Draws kScene in kView: scene, picture and plan are constants that the compiler has checked.
 using FixedRenderer = zstrip::FixedRenderer<kScene, kView, kBudget, zstrip::Effects{},
                                             zstrip::Projection::perspective, kCounts>;
 
