@@ -1,7 +1,12 @@
-# The program in a page: the one ```cpp block that follows a line "<!-- tests/consumer compiles and runs this -->".
+# The program in a page: the one ```cpp block that follows a line "<!-- tests/consumer compiles and runs this -->", or
+# another MARKER.
 function(extract_example page output)
+  set(marker "tests/consumer compiles and runs this")
+  if(ARGC GREATER 2)
+    set(marker "${ARGV2}")
+  endif()
   file(READ ${page} text)
-  set(marker "<!-- tests/consumer compiles and runs this -->\n```cpp\n")
+  set(marker "<!-- ${marker} -->\n```cpp\n")
   string(FIND "${text}" "${marker}" begin)
   if(begin EQUAL -1)
     message(FATAL_ERROR "${page} holds no example after the marker: ${marker}")
