@@ -365,7 +365,7 @@ Result<Done> run(const Arguments& arguments) {
       !checked) {
     return checked.failure();
   }
-  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
+  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene, request->view.format);
   if (!model) return model.failure();
   const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();

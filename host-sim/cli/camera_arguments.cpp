@@ -1,4 +1,4 @@
-// The options that place the camera and select the model's upward axis.
+// The options that say how a scene is looked at: camera, background and a model's upward axis.
 #include "cli/camera_arguments.hpp"
 
 #include <fmt/format.h>
@@ -32,6 +32,9 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
                   "Vertical field of view, 1 to 170 (default: 30, or a built-in or baked scene's own)")
       ->type_name("DEGREES");
   command.add_flag("--ortho", a.orthographic, "Parallel instead of perspective projection");
+  command
+      .add_option("--background", a.background, "Colour behind a model (default: ced3d6, a light grey; mono: 000000)")
+      ->type_name("RRGGBB");
 }
 
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene) {
@@ -69,22 +72,33 @@ Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::
   return camera;
 }
 
-Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene) {
+Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene, PixelFormat format) {
   const Result<std::optional<UpAxis>> up = parse_up_axis(arguments.up);
   if (!up) return up.failure();
-  const ModelOptions options{.up = *up,
-                             .animation = arguments.animation,
-                             .highlights = arguments.highlights ? Highlights::of_materials : Highlights::none};
-  const bool given = arguments.up || arguments.animation || arguments.highlights;
-  if (kind_of_scene(scene) == SceneKind::model || !given) return options;
-  const char* const option = arguments.up ? "--up" : arguments.animation ? "--animation" : "--highlights";
+  ModelOptions options{.up = *up,
+                       .animation = arguments.animation,
+                       .highlights = arguments.highlights ? Highlights::of_materials : Highlights::none,
+                       .look = look_for_people(format)};
+  if (arguments.background) {
+    const Result<Colour> background = parse_colour("--background", *arguments.background);
+    if (!background) return background.failure();
+    options.look.background = *background;
+  }
+  const char* const option = arguments.up           ? "--up"
+                             : arguments.animation  ? "--animation"
+                             : arguments.highlights ? "--highlights"
+                             : arguments.background ? "--background"
+                                                    : nullptr;
+  if (kind_of_scene(scene) == SceneKind::model || option == nullptr) return options;
   switch (kind_of_scene(scene)) {
     case SceneKind::built_in:
       return usage(fmt::format("{} is for model files; '{}' is a built-in scene", option, scene));
     case SceneKind::baked: return usage(fmt::format("{} is for model files; '{}' is a baked scene", option, scene));
     case SceneKind::composed:
       return usage(fmt::format("{} is for model files; '{}' says it itself, in {}", option, scene,
-                               arguments.up || arguments.animation ? "[[model]]" : "[[material]]"));
+                               arguments.up || arguments.animation ? "[[model]]"
+                               : arguments.highlights              ? "[[material]]"
+                                                                   : "the key background"));
     case SceneKind::model: break;
   }
   return options;

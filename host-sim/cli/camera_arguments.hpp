@@ -1,4 +1,5 @@
-// The options that place the camera and select the model's upward axis, shared by the commands that accept them.
+// The options that say how a scene is looked at: camera, background and a model's upward axis, shared by the commands
+// that accept them.
 #pragma once
 
 #include <optional>
@@ -26,6 +27,7 @@ struct CameraArguments {
   std::optional<std::string> orbit;
   std::optional<double> field_of_view;
   bool orthographic = false;
+  std::optional<std::string> background;
 };
 
 /// Adds the options; `arguments` must live as long as the command.
@@ -34,8 +36,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments);
 /// `scene`: --camera is a usage error unless it is a model file.
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
-/// Parses --up, --animation and --highlights. They are usage errors unless the scene is a model file: other scenes have
-/// their own settings.
-Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene);
+/// Parses --up, --animation, --highlights and --background. They are usage errors unless the scene is a model file:
+/// other scenes have their own settings. `format`: of the picture.
+Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene, PixelFormat format);
 
 }  // namespace zstrip::sim

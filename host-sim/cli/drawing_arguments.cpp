@@ -129,7 +129,7 @@ Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSe
   const Result<Done> checked = check_visibility(drawing.effects() | drawing.visibility.method, drawing.depth_given);
   if (!checked) return checked.failure();
   if (const Result<Done> shown = prepare_show(drawing, arguments.view); !shown) return shown.failure();
-  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
+  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene, drawing.view.format);
   if (!model) return model.failure();
   drawing.model = *model;
   const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);

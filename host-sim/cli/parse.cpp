@@ -14,6 +14,7 @@
 #include "cli/nearest_name.hpp"
 #include "compose/perspective_runs.hpp"
 #include "report/frame_record.hpp"
+#include "text/colour.hpp"
 #include "text/text.hpp"
 
 namespace zstrip::sim {
@@ -127,6 +128,12 @@ Result<std::array<double, 3>> parse_vector(const std::string& option, const std:
     rest.remove_prefix(i < 2 ? comma + 1 : comma);
   }
   return vector;
+}
+
+Result<Colour> parse_colour(const std::string& option, const std::string& text) {
+  const auto colour = sim::parse_colour(std::string_view(text).substr(text.starts_with('#') ? 1 : 0));
+  if (colour) return *colour;
+  return bad_value(option, text, "red, green and blue, two hexadecimal digits each, for example ced3d6");
 }
 
 Result<PixelFormat> parse_format(const std::string& text) {

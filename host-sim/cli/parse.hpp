@@ -13,6 +13,7 @@
 #include "result.hpp"
 #include "zstrip/budget.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/depth_format.hpp"
 #include "zstrip/view.hpp"
 
@@ -40,6 +41,9 @@ Result<Done> parse_strips(const std::string& rows, const std::string& columns, c
 
 /// Parses "x,y,z": finite numbers; `option` is for the message.
 Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text);
+
+/// Parses "ced3d6" or "#ced3d6"; `option` is for the message.
+Result<Colour> parse_colour(const std::string& option, const std::string& text);
 
 /// Parses z16, float or z24.
 Result<DepthFormat> parse_depth_format(const std::string& text);

@@ -81,7 +81,8 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
   std::optional<StepReport> steps(std::in_place, true);
-  Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, {}, {}, request->view, 1);
+  Result<std::unique_ptr<Stage>> stage =
+      open_stage(arguments.scene, {.look = look_for_people(request->view.format)}, {}, request->view, 1);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   steps.reset();
   if (!stage) return stage.failure();

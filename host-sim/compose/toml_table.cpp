@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compose/retired.hpp"
+#include "text/colour.hpp"
 #include "text/edit_distance.hpp"
 
 namespace zstrip::sim {
@@ -29,24 +30,6 @@ std::string shortened(const std::string& name) {
 }
 
 std::string shown(double value) { return fmt::format("{:g}", value); }
-
-std::optional<unsigned> hexadecimal(char c) {
-  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
-  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a' + 10);
-  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A' + 10);
-  return std::nullopt;
-}
-
-std::optional<Colour> parse_colour(const std::string& text) {
-  if (text.size() != 7 || text[0] != '#') return std::nullopt;
-  std::array<std::uint8_t, 3> channels{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto high = hexadecimal(text[1 + 2 * i]), low = hexadecimal(text[2 + 2 * i]);
-    if (!high || !low) return std::nullopt;
-    channels[i] = static_cast<std::uint8_t>(*high * 16 + *low);
-  }
-  return Colour{channels[0], channels[1], channels[2], 255};
-}
 
 }  // namespace
 
@@ -202,7 +185,9 @@ std::optional<Colour> TomlTable::colour(const char* key) {
   const toml::node* const node = find(key);
   if (node == nullptr) return std::nullopt;
   if (const auto* const given = node->as_string()) {
-    if (const std::optional<Colour> parsed = parse_colour(given->get())) return parsed;
+    const std::string& text = given->get();
+    const auto parsed = text.starts_with('#') ? parse_colour(std::string_view(text).substr(1)) : std::nullopt;
+    if (parsed) return parsed;
   } else if (const toml::array* const array = node->as_array(); array != nullptr && array->size() == 3) {
     std::vector<std::uint8_t> channels;
     for (const toml::node& element : *array) {

@@ -139,7 +139,8 @@ Result<Camera> file_camera(const SourceCamera& source, const Units& units, doubl
 
 Result<Camera> framed_camera(const CameraOptions& options, const Framing& framing, double radius) {
   Camera camera;
-  if (!orbit(camera, to_fixed(framing.target), sim::to_fixed(framing.distance), 0, to_angle(90 - kTilt))) {
+  if (!orbit(camera, to_fixed(framing.target), sim::to_fixed(framing.distance), to_angle(framing.yaw),
+             to_angle(90 - kTilt))) {
     return Failure{ExitStatus::internal, "cannot place the camera"};
   }
   if (const Result<Done> focal = set_focal(camera, options); !focal) return focal.failure();

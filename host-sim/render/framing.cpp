@@ -11,8 +11,6 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr double kFilled = 0.95;  // of the picture's half width and half height
-
 /// Calls visit(x, y, z) for each vertex of each instance and each set of lines, and for each corner of the box around
 /// each quadric, after the transform, in the scene's units.
 template <typename Visit>
@@ -86,18 +84,22 @@ struct Extent {
 Framing frame_scene(const Scene& scene, const FramingView& view) {
   const double sine = std::sin(kTilt * std::numbers::pi / 180);
   const double cosine = std::cos(kTilt * std::numbers::pi / 180);
+  const double yaw_sine = std::sin(view.yaw * std::numbers::pi / 180);
+  const double yaw_cosine = std::cos(view.yaw * std::numbers::pi / 180);
   // A vertex (x, y, depth z in view space) is inside if |y - target| <= tangent (distance - z), and so for x with the
   // tangent of the width: distance >= z + (y - target) / tangent and distance >= z - (y - target) / tangent. Both are
   // linear, so the extremes over all vertices, and over all angles of a rotation, have closed forms. Orthographic:
   // without z.
   const double depth_share = view.orthographic ? 0 : 1;
-  const double slope_y = 1 / (kFilled * (view.orthographic ? 1 : view.half_tangent));
+  const double slope_y = 1 / (view.filled * (view.orthographic ? 1 : view.half_tangent));
   const double slope_x = slope_y / view.aspect;
 
   Extent vertical;
   Extent horizontal;
   double nearest = -std::numeric_limits<double>::infinity();
-  for_each_vertex(scene, [&](double x, double y, double z) {
+  for_each_vertex(scene, [&](double world_x, double y, double world_z) {
+    const double x = world_x * yaw_cosine - world_z * yaw_sine;
+    const double z = world_x * yaw_sine + world_z * yaw_cosine;
     const double on_axis_depth = depth_share * sine * y;
     const double on_axis_height = slope_y * cosine * y;
     const double depth_slope = depth_share * cosine;
@@ -122,7 +124,8 @@ Framing frame_scene(const Scene& scene, const FramingView& view) {
   constexpr double kClearance = 0.05;  // flat models seen edge-on would otherwise touch the eye
   const double fitted = std::max({vertical.half(), horizontal.half(), kClearance});
   Framing framing;
-  framing.target = {right, up * cosine, -up * sine};
+  framing.target = {right * yaw_cosine - up * sine * yaw_sine, up * cosine, -right * yaw_sine - up * sine * yaw_cosine};
+  framing.yaw = view.yaw;
   framing.distance = std::max(view.orthographic ? 0 : fitted, nearest + kClearance);
   framing.half_height = view.orthographic ? fitted : framing.distance * view.half_tangent;
   return framing;

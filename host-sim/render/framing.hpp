@@ -15,16 +15,19 @@ struct FramingView {
   double half_tangent = 1;  ///< tangent of half the vertical field of view
   bool orthographic = false;
   bool whole_turn = false;  ///< every angle about the y axis must fit; else only the model in its given orientation
+  double yaw = 0;           ///< degrees that the camera stands to the right of the front
+  double filled = 0.95;     ///< share of the picture's width or height
 };
 
-/// In the scene's units. The eye is at target + distance * (0, sin kTilt, cos kTilt).
+/// In the scene's units. The eye is at target + distance * (sin yaw cos kTilt, sin kTilt, cos yaw cos kTilt).
 struct Framing {
   std::array<double, 3> target{};
   double distance = 1;
   double half_height = 1;  ///< half the visible height; for orthographic cameras
+  double yaw = 0;          ///< degrees
 };
 
-/// Returns the closest camera that shows all vertices of the instances, as placed, with a margin of 5 % on each side.
+/// Returns the closest camera that shows all vertices of the instances, as placed, within the share of the picture.
 Framing frame_scene(const Scene& scene, const FramingView& view);
 
 /// Returns the largest distance of a vertex from the scene's origin.

@@ -123,16 +123,19 @@ class BuiltInStage : public Stage {
 class ModelStage : public CameraStage {
  public:
   /// `file`: its name, for the origins.
-  ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const ModelMotion> motion, std::string file)
+  ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const ModelMotion> motion, std::string file,
+             const DefaultLook& look)
       : model_(std::move(model)),
         motion_(std::move(motion)),
         skins_(*model_, motion_->joints.view(), file),
         instances_(model_->instances),
         lines_(model_->lines),
         lights_(model_->lights),
-        file_(std::move(file)) {
-    if (lights_.empty() && model_->punctual_lights.empty()) {
-      lights_.assign(std::begin(scenes::kKeyLight), std::end(scenes::kKeyLight));
+        file_(std::move(file)),
+        look_(look) {
+    const bool own_lights = !lights_.empty() || !model_->punctual_lights.empty();
+    if (!own_lights) {
+      lights_.push_back(look_.light);
     } else if (lights_.size() < kMaxLights) {
       lights_.push_back(kFillLight);
     }
@@ -141,7 +144,8 @@ class ModelStage : public CameraStage {
               .textures = model_->textures,
               .instances = instances_,
               .lights = lights_,
-              .ambient = scenes::kAmbient,
+              .ambient = own_lights ? scenes::kAmbient : look_.ambient,
+              .background = look_.background,
               .finishes = model_->finishes,
               .punctual_lights = model_->punctual_lights,
               .lines = model_->lines};
@@ -164,7 +168,9 @@ class ModelStage : public CameraStage {
     const FramingView framing{.aspect = static_cast<double>(view().width) / view().height,
                               .half_tangent = std::tan(degrees * std::numbers::pi / 360),
                               .orthographic = options().orthographic,
-                              .whole_turn = frames > 1 && animation().tracks.empty() && !bends()};
+                              .whole_turn = frames > 1 && animation().tracks.empty() && !bends(),
+                              .yaw = look_.yaw,
+                              .filled = look_.filled};
     if (options().name) return named_camera(*options().name, radius);
     return options().placed() ? place_camera(options(), model_->units, radius)
                               : framed_camera(options(), frame_scene(whole, framing), radius);
@@ -182,7 +188,7 @@ class ModelStage : public CameraStage {
   }
 
   std::unique_ptr<Stage> copy() const override {
-    auto stage = std::make_unique<ModelStage>(model_, motion_, file_);
+    auto stage = std::make_unique<ModelStage>(model_, motion_, file_, look_);
     stage->take_camera(*this);
     return stage;
   }
@@ -217,6 +223,7 @@ class ModelStage : public CameraStage {
   std::vector<LineSet> lines_;
   std::vector<DirectionalLight> lights_;
   std::string file_;
+  DefaultLook look_;
   Scene scene_;
 };
 
@@ -267,7 +274,7 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
   if (!motion) return motion.failure();
   auto stage = std::make_unique<ModelStage>(std::make_shared<const Model>(std::move(*model)),
                                             std::make_shared<const ModelMotion>(std::move(*motion)),
-                                            std::filesystem::path(name).filename().string());
+                                            std::filesystem::path(name).filename().string(), model_options.look);
   if (const Result<Done> checked = check(stage->scene(), name); !checked) return checked.failure();
   if (const Result<Done> camera = stage->set_camera(options, view, frames); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(stage));

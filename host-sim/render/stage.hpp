@@ -10,6 +10,7 @@
 #include "bake/effects_found.hpp"
 #include "import/model.hpp"
 #include "render/camera.hpp"
+#include "render/default_look.hpp"
 #include "result.hpp"
 #include "zstrip/animation.hpp"
 #include "zstrip/camera.hpp"
@@ -68,6 +69,7 @@ struct ModelOptions {
   std::optional<UpAxis> up{};              ///< the axis that points upwards; empty: the format's axis
   std::optional<std::string> animation{};  ///< its name; empty: the first one, if there is one
   Highlights highlights = Highlights::none;
+  DefaultLook look{};  ///< of a model; lights of its file take the place of the look's
 };
 
 /// `name` as in kind_of_scene. `frames`: if there is more than one, a model's camera shows the model at every angle of

@@ -256,7 +256,8 @@ TEST_F(Command, TexturesOutsideAndInsideTheModel) {
   const std::filesystem::path models = ASSIMP_MODELS;
   if (models.empty()) GTEST_SKIP() << "package assimp-testmodels is not installed";
   const auto render = [&](const std::string& model) {
-    const Outcome outcome = zstrip({"render", (models / model).string(), "-o", "box.png", "--quiet"});
+    const Outcome outcome =
+        zstrip({"render", (models / model).string(), "-o", "box.png", "--quiet", "--orbit", "2.7,0,70"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
     return picture("box.png");
@@ -337,7 +338,9 @@ TEST_F(Command, ModelsInUtf16AndRawWithGroups) {
 TEST_F(Command, ASkinIsTheSamePictureHoweverItIsDrawn) {
   const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
   const auto rendered = [&](const std::string& folder, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"render", figure, "-o", folder, "--size", "120x160", "--frames", "3", "--quiet"};
+    // From here no two surfaces have one depth in a pixel: the first one drawn would be seen.
+    std::vector<std::string> arguments{"render",   figure, "-o",      folder,    "--size", "120x160",
+                                       "--frames", "3",    "--quiet", "--orbit", "5,30,70"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = zstrip(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;

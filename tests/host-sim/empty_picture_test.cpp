@@ -50,7 +50,7 @@ TEST_F(Command, EmptyPicturesSayWhy) {
   for (const auto& [name, content, words] : cases) {
     file(name, content);
     for (const char* output : {"one.png", "turn/"}) {
-      const Outcome outcome = zstrip({"render", name, "-o", output, "--quiet"});
+      const Outcome outcome = zstrip({"render", name, "-o", output, "--quiet", "--background", "000000"});
       EXPECT_EQ(outcome.status, 0) << name;
       if (words.empty()) {
         EXPECT_EQ(outcome.err, "") << name;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "gltf_file.hpp"
 #include "import/model.hpp"
@@ -187,6 +188,14 @@ TEST_F(GltfEffects, PointLight) {
   EXPECT_EQ(light.intensity, 4 * kFixedOne) << "full light where it meets the model";
   EXPECT_EQ(light.range, 5 * kFixedOne);
   EXPECT_TRUE(effects(lit).has(effect::punctual_lights));
+  // The look of models without lights adds none, and no more light from all sides.
+  const auto lights = [&](const DefaultLook& look) {
+    const auto stage = open_stage(path("model.gltf"), {.look = look}, {}, {64, 48}, 1);
+    EXPECT_TRUE(stage) << stage.failure().message;
+    const Scene scene = (*stage)->place(0, 1)->scene;
+    return std::tuple(scene.lights.size(), scene.lights[0].colour.r, scene.ambient.r, scene.punctual_lights.size());
+  };
+  EXPECT_EQ(lights(look_for_people(PixelFormat::rgb565)), lights(kPlainLook));
 }
 
 TEST_F(GltfEffects, SpotLight) {

@@ -9,7 +9,7 @@ namespace zstrip::sim::test {
 namespace {
 
 using Rgb = std::array<int, 3>;
-constexpr Rgb kRed{255, 0, 0}, kGreen{0, 255, 0}, kLitRed{165, 0, 0}, kLitGreen{0, 165, 0}, kGrey{132, 132, 132},
+constexpr Rgb kRed{255, 0, 0}, kGreen{0, 255, 0}, kLitRed{194, 0, 0}, kLitGreen{0, 194, 0}, kGrey{155, 155, 155},
     kBlack{};
 
 /// A colour of the picture, in units of the model off the place that the camera looks at.
@@ -28,15 +28,15 @@ struct SmallModel {
 
 const std::vector<SmallModel>& small_models() {
   static const std::vector<SmallModel> kModels{
-      {"ColoursOfBlendersObjAreLinear", "blender.obj", {{0, 0, {37, 48, 30}}}},
+      {"ColoursOfBlendersObjAreLinear", "blender.obj", {{0, 0, {43, 56, 35}}}},
       {"LinesOfMtlThatAreNotDrawnAreSkipped", "aniso.obj", {{0, 0, kLitRed}}},
       {"AJointFarFromAMeshThatItDoesNotMoveIsNoError", "skin_small.gltf", {{0, 0, kRed}}, "0,1.65,0", 2},
       {"BlendingWithoutATransparentPlaceIsOpaque", "blend_opaque.gltf", {{0, 0, kRed}}},
       {"ARootOfTheSceneMayHangOutsideOfIt", "root_with_parent.gltf", {{0, 0, kRed}}},
       {"ATexelOfAPaletteKeepsItsColour", "palette3.gltf", {{0, 0, kGreen}}},
       {"TheLineBehindAByteOrderMarkCounts", "bom.obj", {{-.8, -.9, kGrey}}},
-      {"ColoursOfBlendersFbxAreLinear", "blender.fbx", {{0, 0, {37, 48, 30}}}},
-      {"ColoursOfBlendersColladaAreLinear", "blender.dae", {{0, 0, {37, 48, 30}}}},
+      {"ColoursOfBlendersFbxAreLinear", "blender.fbx", {{0, 0, {43, 56, 35}}}},
+      {"ColoursOfBlendersColladaAreLinear", "blender.dae", {{0, 0, {43, 56, 35}}}},
       {"NumbersOfObjNeedNoLeadingZero", "dot.obj", {{0, 0, kGrey}, {.97, .9, kBlack}}},
       {"VertexColoursOfObjMayHaveAlpha", "rgba.obj", {{0, 0, kLitGreen}}},
       {"AnObjectWithoutColoursBeforeOneWithKeepsItsOwn", "o_vcs.obj", {{-.5, 0, kGrey}, {.5, 0, kLitGreen}}},
@@ -65,7 +65,8 @@ TEST_P(SmallModels, HaveTheseColours) {
                                      "--ortho",   "--fov",
                                      "30",        "--eye",
                                      eye,         "--look-at",
-                                     model.place, "-o"};
+                                     model.place, "--background",
+                                     "000000",    "-o"};
   if (model.frame == 0) {
     arguments.emplace_back("seen.png");
   } else {

@@ -56,7 +56,8 @@ class Zstrip {
         ['--camera', job.camera.name];
     const words = [
       'render', job.file, '-o', folder, '--frames', String(frame === 0 ? 1 : kFrames), '--image', 'raw', '--size',
-      job.size.join('x'), '--threads', '1', '--quiet', ...camera, ...(show ? ['--show', show] : [])
+      job.size.join('x'), '--threads', '1', '--quiet', '--background', '000000', ...camera,
+      ...(show ? ['--show', show] : [])
     ];
     const {error, warnings} = await run(this.program, words);
     if (error) return {error};

@@ -15,7 +15,8 @@ namespace {
 
 TEST_F(VisibilityCommand, ThePainterIsWrongAndTheZBufferIsNot) {
   for (const char* model : {"thesis.obj", "cycle.obj", "crossing.obj"}) {
-    const std::string words = std::string("'") + MODELS + "/" + model + "' --size 96x96 --ortho --show error -o '";
+    const std::string words =
+        std::string("'") + MODELS + "/" + model + "' --size 96x96 --ortho --orbit 11,0,70 --show error -o '";
     const CommandOutcome painter = render(words + path("painter.png") + "' --visibility painter --sort-key nearest");
     EXPECT_EQ(painter.status, 0) << painter.text;
     EXPECT_EQ(painter.text.find("wrong      0 pixels"), std::string::npos) << painter.text;
@@ -142,7 +143,8 @@ TEST_F(VisibilityCommand, TheHeatMapKnowsWhatMakesThePictureMoreLikeTheTruth) {
   EXPECT_LT(accuracy_of(edged, "mean"), 0.9 * accuracy_of(plain, "mean"));
   EXPECT_GT(accuracy_of(mono, "mean"), 2 * accuracy_of(plain, "mean"));
   // The painter's wrong pixels are seen.
-  const std::string cycle = std::string("'") + MODELS + "/cycle.obj' --size 96x96 --ortho --visibility ";
+  const std::string cycle =
+      std::string("'") + MODELS + "/cycle.obj' --size 96x96 --ortho --orbit 11,0,70 --visibility ";
   const std::string painter = report(cycle + "painter"), right = report(cycle + "zbuffer");
   EXPECT_GT(accuracy_of(painter, "mean"), 1.5 * accuracy_of(right, "mean"));
   EXPECT_GT(accuracy_of(painter, "worst"), 2 * accuracy_of(right, "worst"));

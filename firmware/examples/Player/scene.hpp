@@ -62,28 +62,28 @@ inline constexpr zstrip::Material kMaterials[1] = {
 inline constexpr zstrip::Instance kInstances[1] = {
     {.mesh = 0, .material = 0, .transform = {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}}};
 inline constexpr zstrip::DirectionalLight kLights[1] = {
-    {.x = -15621, .y = 21869, .z = 18745, .colour = {207, 207, 207, 255}}};
+    {.x = 3260, .y = 26084, .z = 19563, .colour = {151, 151, 151, 255}}};
 
 inline constexpr zstrip::Scene kScene{.meshes = kMeshes,
                                       .materials = kMaterials,
                                       .textures = {},
                                       .instances = kInstances,
                                       .lights = kLights,
-                                      .ambient = {48, 48, 48, 255},
-                                      .background = {0, 0, 0, 255}};
+                                      .ambient = {104, 104, 104, 255},
+                                      .background = {206, 211, 214, 255}};
 
 /// The motion of the instances, if it has tracks. Times in milliseconds.
 inline constexpr zstrip::Animation kAnimation{.tracks = {}, .keyframes = {}, .duration = 0};
 /// The motion of a scene without tracks, if several frames are shown.
 inline constexpr zstrip::Turn kTurn{.what = zstrip::Turning::instances_and_lines, .still_instances = 0};
 
-inline constexpr zstrip::Camera kCamera{.right = {1073741824, 0, 0},  // 2.30
-                                        .up = {0, 1008983356, -367252081},
-                                        .back = {0, 367252081, 1008983356},
-                                        .eye = {0, 120243, 378491},  // 16.16, like the members below
+inline constexpr zstrip::Camera kCamera{.right = {929904853, 0, -536841194},  // 2.30
+                                        .up = {-183615876, 1008983356, -318055499},
+                                        .back = {504463752, 367252081, 873821339},
+                                        .eye = {198342, 127795, 343565},  // 16.16, like the members below
                                         .focal = 244599,
-                                        .near_plane = 255257,
-                                        .far_plane = 568264,
+                                        .near_plane = 272943,
+                                        .far_plane = 589880,
                                         .projection = zstrip::Projection::perspective,
                                         .fixed_depth_range = false};
 
