@@ -22,6 +22,7 @@
 #include "bake/program_text.hpp"
 #include "bake/scene_blob.hpp"
 #include "bake/scene_header.hpp"
+#include "bake/unmoved_scene.hpp"
 #include "cli/camera_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/output_names.hpp"
@@ -399,7 +400,11 @@ Result<Done> run(const Arguments& arguments) {
   const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation(), skins);
   if (!prepared) return prepared.failure();
   Staging at_rest = prepared->staging();
-  const MipmappedScene mipmapped(at_rest.scene, mipmap_choice(arguments.mipmaps));
+  const UnmovedScene unmoved(at_rest.scene);
+  if (unmoved.moved()) {
+    print_warning("vertices that a skin moves while they are drawn stand still, as they were modelled");
+  }
+  const MipmappedScene mipmapped(unmoved.scene(), mipmap_choice(arguments.mipmaps));
   const PalettedScene paletted(mipmapped.scene(), texture_choice(arguments.textures));
   at_rest.scene = paletted.scene();
   const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);

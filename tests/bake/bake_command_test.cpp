@@ -33,6 +33,19 @@ TEST_F(Bake, SkinsStandStillInBlobsAndHaveNoOrderOfTriangles) {
   }
 }
 
+// Its header named an effect that its scene does not have, and did not compile.
+TEST_F(Bake, ABuiltInSceneWhoseSkinMovesWhileItIsDrawnStandsStill) {
+  for (const char* file : {"character.hpp", "character.zsc"}) {
+    const Outcome outcome = run(ZSTRIP_COMMAND, {"bake", "character", "-o", file, "--json", "-", "--quiet"}, path(""));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("stand still, as they were modelled"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out.find("skins"), std::string::npos) << outcome.out;
+  }
+  const std::string header = read(path("character.hpp"));
+  EXPECT_NE(header.find("kEffects"), std::string::npos);
+  EXPECT_EQ(header.find("effect::skins"), std::string::npos);
+}
+
 TEST_F(Bake, BytesByKindAreThoseOfTheFile) {
   const Json baked = report({"bake", kHouseModel, "-o", "house.zsc"});
   const Json& flash = baked.at("flash_bytes");
