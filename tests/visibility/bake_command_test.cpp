@@ -87,9 +87,9 @@ TEST_F(VisibilityCommand, NewellsOrderIsBakedForOneCameraOnly) {
     EXPECT_EQ(baked.status, 0) << baked.text;
     return read(header).find(part) != std::string::npos;
   };
-  EXPECT_TRUE(says("painter-newell", "for this camera only"));
+  EXPECT_TRUE(says("painter-newell", "camera only: bake again"));
   EXPECT_FALSE(says("painter-newell", "To move the scene"));
-  EXPECT_FALSE(says("painter-bsp", "for this camera only"));
+  EXPECT_FALSE(says("painter-bsp", "camera only"));
   EXPECT_TRUE(says("painter-bsp", "To move the scene"));
 }
 
