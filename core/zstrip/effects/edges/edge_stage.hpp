@@ -15,7 +15,7 @@
 
 namespace zstrip::detail::edges {
 
-/// As many edges of an instance as there are bits in a word.
+/// Holds as many edges of an instance as a word has bits.
 struct EdgeGroup {
   std::uint32_t seen;  ///< one bit for each visible edge, the first edge in the lowest bit
   Extent extent;       ///< the strips in which these can lie

@@ -57,7 +57,7 @@ Status prepare_map(FrameState& light, const FrameState& frame, const Scene& cast
     return status;
   }
   if (const Status status = light_camera(state.camera, reach, side); !status) return status;
-  // As many rows of tiles as fit into the picture's z-buffer, next to one row of pixels.
+  // The map takes the rows of tiles that fit into the picture's z-buffer, next to one row of pixels.
   const std::uint32_t room = frame.plan.depth_bytes / (side * kDepthBytes) - 1;
   const std::uint32_t rows = std::min(room / kTileSide * kTileSide, side);
   light.view = {static_cast<std::uint16_t>(side), static_cast<std::uint16_t>(side)};
