@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
-# guest.sh ROOT FOLDER PANEL: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/{amd64,armhf,arm64}:
+# guest.sh ROOT FOLDER [PANEL]: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/{amd64,armhf,arm64}:
 # `kernel`, `initrd`, for Arm `panels.dtb`, for armhf also `stuck-bus.dtb` (the emulator's device tree, and what
 # panels.dtsi and stuck_bus.dtsi have on its GPIO chip) and `sabrelite.dtb` (the kernel's own of a board with I2C).
 # PANEL is the host's program; those for Arm are built here, zstrip-panel and, for armhf with libgpiod 2 of Debian 13,
 # zstrip-panel-gpiod2, for arm64 also zstrip-kernels (tests/targets).
-# Downloads are kept in FOLDER/downloads. Each step is said; one is ended where FOLDER has not changed for a while, and
+# Downloads are kept in FOLDER/downloads; without PANEL they are all that is done, and one at a time does them, so that
+# tests/run begins them while it builds. Each step is said; one is ended where FOLDER has not changed for a while, and
 # not because a machine or a network is slow. Where the packages cannot be had FOLDER/missing says why, and the status is
 # 77; where only those of Debian 13 cannot, FOLDER/missing-gpiod2 does, and the machines are made without the second
 # program.
 set -euo pipefail
-root=$1 folder=$2 panel=$3
+root=$1 folder=$2 panel=${3-}
 scripts=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 mkdir -p "$folder/downloads"
 cd "$folder"
-rm -f missing missing-gpiod2
 
 give_up() {
   echo "$1" >missing
@@ -28,7 +28,7 @@ patience=${ZSTRIP_GUEST_PATIENCE:-600}  # seconds without a new byte in FOLDER
 patiently() {
   local job watch status=0 ended=$folder.ended  # a file of the watch: beside FOLDER, whose size it looks at
   rm -f "$ended"
-  "$@" &
+  "$@" 8>&- &
   job=$!
   (
     still=0 before=
@@ -40,7 +40,7 @@ patiently() {
     done
     touch "$ended"
     kill "$job"
-  ) >/dev/null 2>&1 &
+  ) >/dev/null 2>&1 8>&- &
   watch=$!
   wait "$job" || status=$?
   kill "$watch" 2>/dev/null || true
@@ -48,6 +48,13 @@ patiently() {
   if [ -e "$ended" ]; then rm "$ended" && echo "nothing new for $patience s" >&2; fi
   return "$status"
 }
+
+exec 8>>downloads/lock
+if ! flock --nonblock 8; then
+  say "waiting for downloads that have begun"
+  flock 8
+fi
+rm -f missing missing-gpiod2
 
 for tool in apt-get dpkg-deb cpio dtc ninja qemu-system-arm qemu-system-aarch64 qemu-system-x86_64 \
   arm-linux-gnueabihf-g++ aarch64-linux-gnu-g++; do
@@ -122,6 +129,8 @@ if ! [ -s "downloads/${gpiod2//[:\/]/_}.deb" ] && ! { add_index trixie armhf && 
   rm -f missing
   echo "$gpiod2 cannot be downloaded: $(tail -n 1 "$apt/log")" | tee missing-gpiod2
 fi
+exec 8>&-
+if [ -z "$panel" ]; then exit; fi
 
 unpack() { # FOLDER PACKAGE...
   local to=$1 package

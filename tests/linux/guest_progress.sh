@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # guest_progress.sh FOLDER: what guest.sh says of downloads that stop, and of a package that cannot be had, with programs
-# in place of Debian's. It ends then, and a download that is only slow is waited for.
+# in place of Debian's. It ends then, and a download that is only slow is waited for, and so is one that a build has begun.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 folder=$1
@@ -35,4 +35,14 @@ apt 'case "$*" in *" update") for i in 1 2 3 4 5; do sleep 1; echo "$i"; done ;;
   *" download "*) touch package.deb; echo byte >package.deb ;; esac'
 ends_with "downloading libcli11-dev/bookworm" "downloading busybox-static:armhf/bookworm" \
   "busybox-static:armhf/bookworm cannot be downloaded: it is gone"
+
+# begins: guest.sh as tests/run begins it beside a build.
+begins() { output=$(timeout 60 bash "$here/guest.sh" "$folder" "$folder/guest" 2>&1) || { echo "downloads alone end with $?: $output"; failed=1; }; }
+apt 'case "$*" in *" download "*) echo byte >package.deb ;; esac'
+begins
+[ -s "$folder/guest/downloads/kernels" ] && [ ! -e "$folder/guest/armhf" ] || { echo "not the downloads alone: $output"; failed=1; }
+flock "$folder/guest/downloads/lock" sleep 2 &
+sleep 1
+begins
+grep -qF "waiting for downloads that have begun" <<<"$output" || { echo "does not wait for others' downloads: $output"; failed=1; }
 exit "$failed"
