@@ -3,15 +3,16 @@
 # objects: they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The
 # sources of a folder are compiled together. The pipelines that are for hosts alone are left out, but with ZSTRIP_LONG and
 # without --few.
+# freestanding.sh ROOT --built BUILD COMPILER: reads the libraries of a build for boards instead.
 set -euo pipefail
 root=$1
 shift
-few=yes
+few=yes built=
 if [ -n "${ZSTRIP_LONG-}" ]; then few=; fi
-if [ "$1" = --few ]; then
-  few=yes
-  shift
-fi
+case $1 in
+  --few) few=yes; shift ;;
+  --built) few=yes built=$2; shift 2 ;;
+esac
 compiler=$1
 shift
 if ! command -v "$compiler" >/dev/null; then
@@ -35,12 +36,19 @@ compile() {
 }
 export root objects few
 export -f compile
-xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@" <"$objects/folders"
+if [ -n "$built" ]; then
+  read_from=("$built"/{core/libzstrip_core,hal/libzstrip_hal}.a)
+  player=$built/firmware/player/libzstrip_player.a  # some boards have no program with it
+  if [ -e "$player" ]; then read_from+=("$player"); fi
+else
+  xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@" <"$objects/folders"
+  read_from=("$objects"/*.o)
+fi
 
 prefix=
 case "$compiler" in *arm-none-eabi-*) prefix=arm-none-eabi- ;; esac
-"${prefix}nm" --format=posix --defined-only "$objects"/*.o | awk 'NF > 2 { print $1 }' | sort -u >"$objects/defined"
-"${prefix}nm" --format=posix --undefined-only "$objects"/*.o | awk 'NF == 2 && $2 == "U" { print $1 }' | sort -u >"$objects/undefined"
+"${prefix}nm" --format=posix --defined-only "${read_from[@]}" | awk 'NF > 2 { print $1 }' | sort -u >"$objects/defined"
+"${prefix}nm" --format=posix --undefined-only "${read_from[@]}" | awk 'NF == 2 && $2 == "U" { print $1 }' | sort -u >"$objects/undefined"
 [ -s "$objects/defined" ] || { echo "no object defines anything"; exit 1; }
 
 # Integer division, shifts, multiplication, counting bits, switch tables; never __aeabi_f*, __aeabi_d*, __aeabi_*2f.
@@ -52,13 +60,13 @@ failed=0
 if [ -n "$foreign" ]; then
   echo "symbols that a freestanding program does not have:"
   for symbol in $foreign; do
-    echo "  $symbol" "$(cd "$objects" && "${prefix}nm" -A --undefined-only ./*.o | awk -v s="$symbol" '$NF == s { print $1 }' | head -n 3 | tr '\n' ' ')"
+    echo "  $symbol" "$("${prefix}nm" -A --undefined-only "${read_from[@]}" | awk -v s="$symbol" '$NF == s { print $1 }' | head -n 3 | tr '\n' ' ')"
   done
   failed=1
 fi
 
 # A lone object is read without its name: the section's is always there.
-starters=$("${prefix}readelf" -SW "$objects"/*.o |
+starters=$("${prefix}readelf" -SW "${read_from[@]}" |
   awk '/^File:/ { file = $2 } match($0, /\.(init_array|ctors|preinit_array|tbss|tdata)/) { print substr($0, RSTART, RLENGTH), file }' | sort -u)
 if [ -n "$starters" ]; then
   printf 'code that runs before main, or thread-local data:\n%s\n' "$starters"
