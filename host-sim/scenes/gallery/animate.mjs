@@ -3,18 +3,15 @@
 import fs from 'node:fs';
 import zlib from 'node:zlib';
 
-import {chunk} from './pictures.mjs';
+import {chunk, readPicture} from './pictures.mjs';
 
 const [, , folder, milliseconds, file, kColours = 255] = process.argv;
 const kSame = 255;  // the index of pixels that stay
 
-function read(path) {
-  const bytes = fs.readFileSync(path),
-        [head, width, height] = /^P6\s+(\d+)\s+(\d+)\s+255\s/.exec(bytes.latin1Slice(0, 32));
-  return {width: Number(width), height: Number(height), pixels: bytes.subarray(head.length)};
-}
-const frames =
-    fs.readdirSync(folder).filter((name) => name.endsWith('.ppm')).sort().map((name) => read(`${folder}/${name}`));
+const frames = fs.readdirSync(folder)
+                   .filter((name) => name.endsWith('.ppm'))
+                   .sort()
+                   .map((name) => readPicture(`${folder}/${name}`));
 const {width, height} = frames[0];
 
 // All colours and how many pixels have them; boxes of them are halved where most would be lost; then means move to what

@@ -31,10 +31,11 @@ const leg = (x, bend) => limb(
       [0.29 * x, -0.86, -0.12 - 0.2 * bend], [0.29 * x, -0.92, -0.06 - 0.2 * bend]
     ],
     [0.24, 0.23, 0.21, 0.19, 0.2, 0.22, 0], [kSuit, kSuit, kSuit, kOrange, kGrey, kGrey], [1, 0, 0]);
-const torso = lathe(
-    [[0.2, 0.98], [0.36, 0.92], [0.44, 0.76], [0.42, 0.4], [0.4, 0.2], [0.3, 0.02], [0, -0.02]], 12, kSuit,
-    {squash: 0.78});
-const belt = lathe([[0.41, 0.3], [0.435, 0.27], [0.425, 0.19], [0.39, 0.17]], 12, kOrange, {squash: 0.8});
+const torso =
+    lathe([[0.36, 0.92], [0.44, 0.76], [0.42, 0.4], [0.4, 0.2], [0.3, 0.02], [0, -0.02]], 12, kSuit, {squash: 0.78});
+// Bands around the torso: their borders are edges, where an intersection would not be smooth.
+const belt = lathe([[0.44, 0.29], [0.44, 0.18]], 12, kOrange, {squash: 0.8});
+const collar = lathe([[0.44, 0.9], [0.44, 0.83]], 12, kGrey, {squash: 0.92});
 const pack = [
   ...placed(box([0.74, 0.9, 0.3], '#d8dce4', 0.06), {at: [0, 0.56, -0.45]}),
   ...placed(box([0.2, 0.1, 0.1], kOrange), {at: [-0.2, 1.04, -0.45]})
@@ -49,25 +50,31 @@ const chest = [
 const kHead = [0, 1.36, 0.02], kHelmet = 0.6;
 const helmet =
     ball(kHelmet, 9, 14, kSuit)
-        .filter(({points}) => !points.every(([x, y, z]) => z > 0.15 && Math.hypot(x / 0.5, (y + 0.02) / 0.4) < 1));
+        .filter(
+            ({points}) => !points.every(([x, y, z]) => z > 0.15 && Math.hypot(x / 0.5, (y + 0.02) / 0.4) < 1) &&
+                points.some(([, y]) => y > -0.53));
+const outline =
+    (cosine,
+     sine) => [0.47 * cosine, 0.36 * sine - 0.02, Math.sqrt(kHelmet ** 2 - (0.47 * cosine) ** 2 - (0.36 * sine) ** 2)];
 const rim = tube(Array.from({length: 14}, (_, i) => {
   const angle = 2 * Math.PI * i / 14;
-  return [
-    0.47 * Math.cos(angle), 0.36 * Math.sin(angle) - 0.02,
-    Math.sqrt(kHelmet ** 2 - (0.47 * Math.cos(angle)) ** 2 - (0.36 * Math.sin(angle)) ** 2)
-  ];
+  return outline(Math.cos(angle), Math.sin(angle));
 }), 0.055, 6, kGrey, [0, 0, 1], true);
 const ears = [1, -1].flatMap(
     (s) => placed(
         lathe([[0, 0.1], [0.13, 0.09], [0.16, 0], [0, 0]], 8, kOrange), {turn: [0, 0, -90 * s], at: [0.56 * s, 0, 0]}));
 const head = placed([...helmet, ...rim, ...ears], {at: kHead});
-const body = [...torso, ...belt, ...pack, ...chest, ...arm(1), ...arm(-1), ...leg(1, 0.16), ...leg(-1, 0.02), ...head];
+const body = [
+  ...torso, ...belt, ...collar, ...pack, ...chest, ...arm(1), ...arm(-1), ...leg(1, 0.16), ...leg(-1, 0.02), ...head
+];
+// Its border lies on the rim.
 const visor =
     placed(grid(8, 6, (u, v) => {
              const [x, y] = [2 * u - 1, 2 * v - 1];
              const r = Math.max(Math.abs(x), Math.abs(y)), length = Math.hypot(x, y) || 1;
-             const [p, q] = [0.48 * x * r / length, 0.37 * y * r / length];
-             return {point: [p, q - 0.02, 0.34 + 0.34 * Math.sqrt(Math.max(0, 1 - (p / 0.52) ** 2 - (q / 0.41) ** 2))]};
+             const [cosine, sine] = [x / length, y / length], border = outline(cosine, sine)[2] + 0.06;
+             const bulge = Math.sqrt(1 - 0.96 * r * r) - 0.2;
+             return {point: [0.455 * cosine * r, 0.345 * sine * r - 0.02, border + (0.7 - border) * bulge / 0.8]};
            }), {at: kHead});
 writeModel(
     'astronaut/suit.glb', {suit: occluded(welded(body, 75), {others: visor, reach: 0.7, dark: [0.34, 0.36, 0.46]})});

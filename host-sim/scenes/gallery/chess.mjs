@@ -71,7 +71,7 @@ const board = [-4, -2, 0, 2].flatMap(
     (x) => [-4, -2, 0, 2].flatMap(
         (z) => polygon(square(x, z, x + 2, z + 2, 0), '#ffffff', [[0, 1], [1, 1], [1, 0], [0, 0]])));
 writeModel('chess/squares.glb', {squares: welded(board)}, {texcoords: true});
-const [kInner, kLine, kOuter] = [4, 4.12, 4.55];
+const [kInner, kLine, kOuter] = [4, 4.12, 4.42];
 const side = [
   ...polygon([[-kLine, 0.01, kLine], [kLine, 0.01, kLine], [kInner, 0, kInner], [-kInner, 0, kInner]], '#d6aa64'),
   ...polygon([[-kOuter, 0, kOuter], [kOuter, 0, kOuter], [kLine, 0.01, kLine], [-kLine, 0.01, kLine]], '#743e22'),

@@ -131,7 +131,7 @@ const sea = grid(columns, rows.length - 1, (u, v, i, j) => {
 });
 const foam = grid(18, 1, (u, v, i, j) => {
   const [x, z] = around(i, (coastAt(i) + 0.15) * (j ? 0.94 : 1.06 + 0.07 * random(i % 18)));
-  return {point: [x, 0.05, z], colour: j ? '#d8ccd4' : '#8c9cb4'};
+  return {point: [x, j ? 0.1 : 0.07, z], colour: j ? '#d8ccd4' : '#8c9cb4'};
 });
 writeModel('lighthouse/sea.glb', {sea: welded(sea, 90)});
 writeModel('lighthouse/foam.glb', {foam: welded(foam, 90)});
@@ -139,8 +139,8 @@ writeModel('lighthouse/foam.glb', {foam: welded(foam, 90)});
 // The sky, behind everything: colours are those before fog, which is haze of colour kHaze (lighthouse.toml) there.
 const kHaze = rgb('#e09a86'), kThere = 0.42;
 const sky = [
-  ['#e09a86', -0.8], ['#e8a487', 0.3], ['#dd8f8c', 1.6], ['#a8789c', 3.6], ['#6a6098', 6.2], ['#3c4480', 9.5],
-  ['#2a3468', 13]
+  ['#e09a86', -0.8], ['#e8a487', 0.3], ['#dd8f8c', 1.6], ['#a8789c', 3.6], ['#665c98', 6.2], ['#644480', 9.5],
+  ['#64386e', 13]
 ];
 const before = (colour) =>
     rgb(colour).map((c, i) => Math.min(255, Math.max(0, (c - kThere * kHaze[i]) / (1 - kThere))));

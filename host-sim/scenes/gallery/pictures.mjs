@@ -47,3 +47,10 @@ export function writePicture(file, width, height, paint, {alpha = false, samples
     chunk('IDAT', zlib.deflateSync(rows, {level: 9})), chunk('IEND', Buffer.alloc(0))
   ]));
 }
+
+// Reads a PPM of 8 bits a channel.
+export function readPicture(file) {
+  const bytes = fs.readFileSync(file),
+        [head, width, height] = /^P6\s+(\d+)\s+(\d+)\s+255\s/.exec(bytes.latin1Slice(0, 32));
+  return {width: Number(width), height: Number(height), pixels: bytes.subarray(head.length)};
+}

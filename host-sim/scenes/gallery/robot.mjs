@@ -1,6 +1,6 @@
 // Makes the models of robot.toml. Public domain. Run: node robot.mjs
 import {joined, occluded, welded, writeModel} from './models.mjs';
-import {ball, box, lathe, placed, polygon, tube} from './shapes.mjs';
+import {ball, box, lathe, mix, placed, polygon, tube} from './shapes.mjs';
 
 const kBody = '#f0a828', kLight = '#f8dc98', kDark = '#39404e', kSteel = '#98a4b4', kRed = '#e0503c';
 
@@ -58,9 +58,15 @@ writeModel('robot/chest.glb', {metal: joined(shaded(chest, around(0, 1.15, 0)), 
 writeModel('robot/arm.glb', {metal: shaded(arm, around(0.57, 1.4, 0))});
 writeModel('robot/leg.glb', {metal: shaded(leg, around(0.24, 0.6, 0))});
 
-// The floor: a plane and the joints of its tiles.
+// The floor: a plane and the joints of its tiles. Those across are wider and paler the farther they are, so that none
+// is lower than a pixel: robot.toml puts the eye at kEye, and 1 is kFocal pixels large at distance 1.
+const kFloor = '#b4d4de', kJoint = '#88b0c4', kEye = [3.3, 5.8, 7.7], kFocal = 647;
 const strip = (x0, x1, z0, z1, y, colour) => polygon([[x0, y, z1], [x1, y, z1], [x1, y, z0], [x0, y, z0]], colour);
 const joints = [];
-for (let x = -4; x <= 4; ++x) joints.push(...strip(x - 0.03, x + 0.03, -9, 6, 0.02, '#88b0c4'));
-for (let z = -8; z <= 5; ++z) joints.push(...strip(-8, 8, z - 0.03, z + 0.03, 0.02, '#88b0c4'));
-writeModel('robot/floor.glb', {floor: welded([...strip(-14, 14, -14, 14, 0, '#b4d4de'), ...joints])});
+for (let x = -4; x <= 4; ++x) joints.push(...strip(x - 0.03, x + 0.03, -11, 4, 0.02, kJoint));
+for (let z = -10; z <= 3; ++z) {
+  const pixels = 0.06 * kFocal * kEye[1] / (kEye[0] ** 2 + kEye[1] ** 2 + (kEye[2] - z) ** 2);
+  const wider = Math.max(1, 1.3 / pixels);
+  joints.push(...strip(-8, 8, z - 0.03 * wider, z + 0.03 * wider, 0.02, mix(kFloor, kJoint, 1 / wider)));
+}
+writeModel('robot/floor.glb', {floor: welded([...strip(-14, 14, -14, 14, 0, kFloor), ...joints])});

@@ -32,11 +32,11 @@ const ground =
 const board = lathe([[3.1, 0], [3.22, -0.03], [3.2, -0.34]], 22, '#a8743f');
 const pond = polygon(Array.from({length: 10}, (_, i) => {
   const angle = Math.PI * i / 5, r = 0.5 + 0.07 * Math.sin(2 * angle) + 0.05 * Math.cos(3 * angle);
-  return [kPond[0] + 1.2 * r * Math.sin(angle), 0.06, kPond[1] + r * Math.cos(angle)];
+  return [kPond[0] + 1.2 * r * Math.sin(angle), 0.075, kPond[1] + r * Math.cos(angle)];
 }), '#58a4d8');
 const shore = polygon(Array.from({length: 10}, (_, i) => {
   const angle = Math.PI * i / 5, r = 0.58 + 0.07 * Math.sin(2 * angle) + 0.05 * Math.cos(3 * angle);
-  return [kPond[0] + 1.2 * r * Math.sin(angle), 0.05, kPond[1] + r * Math.cos(angle)];
+  return [kPond[0] + 1.2 * r * Math.sin(angle), 0.06, kPond[1] + r * Math.cos(angle)];
 }), '#d8c890');
 
 // The hill at the back, and where the track goes through it.
@@ -106,12 +106,22 @@ const leafy = [
   ...placed(ball(0.25, 4, 6, ([, y]) => mix('#5c9c3c', '#9ccc5c', 0.5 + 2 * y)), {at: [0, 0.47, 0]}),
   ...lathe([[0.045, 0.3], [0.045, 0]], 3, '#7a5234')
 ];
-const trees = [
+const places = [
   ...fs.readFileSync('train.toml', 'utf8').matchAll(/model = "(fir|leafy)"\ntranslation = (\[.*\])\nscale = (.*)/g)
-].flatMap(([, name, at, scale]) => placed(name === 'fir' ? fir : leafy, {at: JSON.parse(at), scale: Number(scale)}));
+].map(([, name, at, scale]) => ({name, at: JSON.parse(at), scale: Number(scale)}));
+const trees = places.flatMap(({name, at, scale}) => placed(name === 'fir' ? fir : leafy, {at, scale}));
+// Shadows of round trees on the ground, away from the light of train.toml.
+const shadows = places.filter(({name}) => name === 'leafy').flatMap(({at, scale}) => {
+  const along = [0.74, -0.67];
+  return polygon(Array.from({length: 5}, (_, i) => {
+    const angle = 2 * Math.PI * i / 5, [u, v] = [0.22 + 0.33 * Math.cos(angle), 0.22 * Math.sin(angle)];
+    const [x, z] = [at[0] + scale * (u * along[0] + v * along[1]), at[2] + scale * (u * along[1] - v * along[0])];
+    return [x, height(Math.hypot(x, z), Math.atan2(x, z)) + 0.02, z];
+  }), '#5c8a40');
+});
 writeModel('train/fir.glb', {fir: occluded(welded(fir, 70), {reach: 0.5})});
 writeModel('train/leafy.glb', {leafy: occluded(welded(leafy, 70), {reach: 0.5})});
-const land = [...ground, ...board, ...shore, ...pond, ...hill, ...portals, ...station, ...mill];
+const land = [...ground, ...board, ...shadows, ...shore, ...pond, ...hill, ...portals, ...station, ...mill];
 writeModel('train/land.glb', {land: occluded(welded(land, 42), {others: trees, reach: 0.9, dark: [0.36, 0.34, 0.44]})});
 
 // Sails of the mill, around the origin.

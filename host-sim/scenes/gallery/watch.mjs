@@ -5,11 +5,10 @@ import {box, cross, grid, lathe, minus, mix, placed, polygon, unit} from './shap
 
 // The watch looks along +z, twelve is at +y; its dial has radius 1. A lathe's axis becomes z.
 const facing = (faces) => placed(faces, {turn: [90, 0, 0]});
-const kSides = 28;
+const kSides = 40;
 
 // Case, lugs, crown: all that is steel.
-const ring = facing(
-    lathe([[1.0, 0.1], [1.02, 0.2], [1.09, 0.25], [1.2, 0.2], [1.29, 0.06], [1.31, -0.08], [1.2, -0.26]], kSides));
+const ring = facing(lathe([[1.0, 0.1], [1.02, 0.2], [1.09, 0.25], [1.2, 0.2], [1.29, 0.06], [1.31, -0.08]], kSides));
 const lug = (x, y) =>
     placed(box([0.22, 0.46, 0.26], '#ffffff', 0.07), {at: [0.64 * x, 1.24 * y, -0.12], turn: [8 * y, 0, 0]});
 const crown = placed(
@@ -58,7 +57,6 @@ const dial = welded(
       ...date, ...strokes(0.565, [0, 1, 6, 4, 3]), ...strokes(0.655, [0, 1, 2, 3, 4, 5, 6])
     ],
     20);
-writeModel('watch/dial.glb', {dial});
 
 // Hands: two slopes each, of one colour and a darker one.
 const hand = (outline, z, ridge, light, dark) => [1, -1].flatMap((s) => {
@@ -69,18 +67,14 @@ const hand = (outline, z, ridge, light, dark) => [1, -1].flatMap((s) => {
           s > 0 ? dark : light));
 });
 const hub = (r, z, colour) => facing(lathe([[0, z + 0.03], [r, z + 0.02], [r, z]], 9, colour));
-writeModel('watch/hands.glb', {
-  hands: welded(
-      [
-        ...turned(
-            hand([[0.02, -0.16], [0.055, 0.08], [0.05, 0.44], [0, 0.56]], 0.06, 0.02, '#f8fafc', '#b4c0d0'),
-            10 * 5 + 50 / 60 * 5 - 0.5),
-        ...turned(
-            hand([[0.018, -0.18], [0.045, 0.08], [0.036, 0.72], [0, 0.84]], 0.1, 0.02, '#f8fafc', '#b4c0d0'), 9.4),
-        ...hub(0.075, 0.11, '#d4dce4')
-      ],
-      20)
-});
+const hands = [
+  ...turned(
+      hand([[0.02, -0.16], [0.055, 0.08], [0.05, 0.44], [0, 0.56]], 0.06, 0.02, '#f8fafc', '#b4c0d0'),
+      10 * 5 + 50 / 60 * 5 - 0.5),
+  ...turned(hand([[0.018, -0.18], [0.045, 0.08], [0.036, 0.72], [0, 0.84]], 0.1, 0.02, '#f8fafc', '#b4c0d0'), 9.4),
+  ...hub(0.075, 0.11, '#d4dce4')
+];
+writeModel('watch/dial.glb', {dial: joined(dial, welded(hands, 20))});
 writeModel('watch/second.glb', {
   second: welded(
       [
@@ -135,7 +129,7 @@ const studio = (u, v) => {
   const inside = Math.max(Math.abs(x + 0.25) - 0.34, Math.abs(y - 0.5) - 0.2);
   colour = mix(colour, '#ffffff', soft(inside, 0.1));
   colour = mix(colour, '#e8f0ff', 0.85 * soft(Math.max(Math.abs(x - 0.7) - 0.07, Math.abs(y) - 0.45), 0.08));
-  colour = mix(colour, '#c89468', 0.6 * soft(Math.max(Math.abs(y + 0.72) - 0.1, Math.abs(x) - 0.5), 0.16));
+  colour = mix(colour, '#c89468', 0.45 * soft(Math.max(Math.abs(y + 0.72) - 0.1, Math.abs(x) - 0.5), 0.4));
   return mix(colour, '#22262e', Math.max(0, (r - 0.88) * 6) * 0.7);
 };
 writePicture('watch/studio.png', 64, 64, studio);
