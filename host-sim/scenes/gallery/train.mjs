@@ -57,7 +57,8 @@ const arch = (w, h) => [
     [-w, 0]];
 const portal = (out) => {
   const mouth = polygon(arch(0.3, 0.72).map(([x, y]) => [x, y, 0.002]), '#15120f');
-  const stone = extruded(arch(0.42, 0.86), 0.3, '#a89c90');
+  // Without the side that stands in the hill.
+  const stone = extruded(arch(0.42, 0.86), 0.3, '#a89c90').filter((f) => f.points.some(([, , z]) => z > 0));
   return placed([...placed(stone, {at: [0, 0, -0.3]}), ...mouth], {turn: [0, out ? 0 : 180, 0]});
 };
 const portals = [...onTrack(portal(true), 217), ...onTrack(portal(false), 143)];
@@ -106,22 +107,12 @@ const leafy = [
   ...placed(ball(0.25, 4, 6, ([, y]) => mix('#5c9c3c', '#9ccc5c', 0.5 + 2 * y)), {at: [0, 0.47, 0]}),
   ...lathe([[0.045, 0.3], [0.045, 0]], 3, '#7a5234')
 ];
-const places = [
+const trees = [
   ...fs.readFileSync('train.toml', 'utf8').matchAll(/model = "(fir|leafy)"\ntranslation = (\[.*\])\nscale = (.*)/g)
-].map(([, name, at, scale]) => ({name, at: JSON.parse(at), scale: Number(scale)}));
-const trees = places.flatMap(({name, at, scale}) => placed(name === 'fir' ? fir : leafy, {at, scale}));
-// Shadows of round trees on the ground, away from the light of train.toml.
-const shadows = places.filter(({name}) => name === 'leafy').flatMap(({at, scale}) => {
-  const along = [0.74, -0.67];
-  return polygon(Array.from({length: 5}, (_, i) => {
-    const angle = 2 * Math.PI * i / 5, [u, v] = [0.22 + 0.33 * Math.cos(angle), 0.22 * Math.sin(angle)];
-    const [x, z] = [at[0] + scale * (u * along[0] + v * along[1]), at[2] + scale * (u * along[1] - v * along[0])];
-    return [x, height(Math.hypot(x, z), Math.atan2(x, z)) + 0.02, z];
-  }), '#5c8a40');
-});
+].flatMap(([, name, at, scale]) => placed(name === 'fir' ? fir : leafy, {at: JSON.parse(at), scale: Number(scale)}));
 writeModel('train/fir.glb', {fir: occluded(welded(fir, 70), {reach: 0.5})});
 writeModel('train/leafy.glb', {leafy: occluded(welded(leafy, 70), {reach: 0.5})});
-const land = [...ground, ...board, ...shadows, ...shore, ...pond, ...hill, ...portals, ...station, ...mill];
+const land = [...ground, ...board, ...shore, ...pond, ...hill, ...portals, ...station, ...mill];
 writeModel('train/land.glb', {land: occluded(welded(land, 42), {others: trees, reach: 0.9, dark: [0.36, 0.34, 0.44]})});
 
 // Sails of the mill, around the origin.
@@ -133,15 +124,18 @@ writeModel('train/sails.glb', {
 });
 
 // The track: sleepers and rails are texels, once for each of kSleepers.
-const kSleepers = 40;
+const kSleepers = 40, kPieces = 32;
 writeModel(
     'train/track.glb', {
       track: welded(
           grid(
-              kSleepers, 1,
+              kPieces, 1,
               (u, v, i, j) => {
-                const angle = 2 * Math.PI * (i % kSleepers) / kSleepers, r = j ? kTrack - 0.27 : kTrack + 0.27;
-                return {point: [r * Math.sin(angle), 0.025, r * Math.cos(angle)], texcoord: [i, j]};
+                const angle = 2 * Math.PI * (i % kPieces) / kPieces, r = j ? kTrack - 0.27 : kTrack + 0.27;
+                return {
+                  point: [r * Math.sin(angle), 0.025, r * Math.cos(angle)],
+                  texcoord: [i * kSleepers / kPieces, j]
+                };
               }),
           80)
     },
