@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cmath>
 
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
@@ -35,6 +36,10 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   command
       .add_option("--background", a.background, "Colour behind a model (default: ced3d6, a light grey; mono: 000000)")
       ->type_name("RRGGBB");
+  command
+      .add_option("--light", a.light,
+                  "Where the light of a model without lights comes from (default: 0.1,0.8,0.6, above the viewer)")
+      ->type_name("X,Y,Z");
 }
 
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene) {
@@ -84,10 +89,20 @@ Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::st
     if (!background) return background.failure();
     options.look.background = *background;
   }
+  if (arguments.light) {
+    const Result<std::array<double, 3>> towards = parse_vector("--light", *arguments.light);
+    if (!towards) return towards.failure();
+    const auto [x, y, z] = *towards;
+    const double length = std::hypot(x, y, z);
+    if (!(length > 0)) return usage("--light: the direction must not be 0,0,0");
+    const auto q15 = [length](double value) { return static_cast<std::int16_t>(std::lround(value / length * 32767)); };
+    options.look.light = {q15(x), q15(y), q15(z), options.look.light.colour};
+  }
   const char* const option = arguments.up           ? "--up"
                              : arguments.animation  ? "--animation"
                              : arguments.highlights ? "--highlights"
                              : arguments.background ? "--background"
+                             : arguments.light      ? "--light"
                                                     : nullptr;
   if (kind_of_scene(scene) == SceneKind::model || option == nullptr) return options;
   switch (kind_of_scene(scene)) {
@@ -98,6 +113,7 @@ Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::st
       return usage(fmt::format("{} is for model files; '{}' says it itself, in {}", option, scene,
                                arguments.up || arguments.animation ? "[[model]]"
                                : arguments.highlights              ? "[[material]]"
+                               : arguments.light                   ? "[[light]]"
                                                                    : "the key background"));
     case SceneKind::model: break;
   }

@@ -28,6 +28,7 @@ struct CameraArguments {
   std::optional<double> field_of_view;
   bool orthographic = false;
   std::optional<std::string> background;
+  std::optional<std::string> light;
 };
 
 /// Adds the options; `arguments` must live as long as the command.
@@ -36,8 +37,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments);
 /// `scene`: --camera is a usage error unless it is a model file.
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
-/// Parses --up, --animation, --highlights and --background. They are usage errors unless the scene is a model file:
-/// other scenes have their own settings. `format`: of the picture.
+/// Parses --up, --animation, --highlights, --background and --light. They are usage errors unless the scene is a model
+/// file: other scenes have their own settings. `format`: of the picture.
 Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene, PixelFormat format);
 
 }  // namespace zstrip::sim

@@ -116,6 +116,21 @@ TEST_F(DefaultLook, TheBackgroundOptionWins) {
   }
 }
 
+/// The camera sees the front and the right side from slightly above.
+TEST_F(DefaultLook, TheLightOptionMovesTheLight) {
+  file("cube.obj", cube_obj());
+  const auto drawn_from = [&](const char* light) { return drawn("cube.obj", {"--light", light}); };
+  const Rgb right = colour_at(drawn_from("1,0,0"), 240, 120), left = colour_at(drawn_from("-1,0,0"), 240, 120);
+  EXPECT_NE(right, left);
+  EXPECT_EQ(drawn_from("0.1,0.8,0.6").rgb, drawn("cube.obj", {}).rgb);
+  EXPECT_EQ(drawn_from("0.01,0.08,0.06").rgb, drawn("cube.obj", {}).rgb);
+  for (const char* wrong : {"up", "1,2", "0,0,0", "nan,0,1"}) {
+    const Outcome outcome = zstrip({"render", "cube.obj", std::string("--light=") + wrong});
+    EXPECT_EQ(outcome.status, static_cast<int>(ExitStatus::usage)) << wrong;
+    EXPECT_NE(outcome.err.find("--light"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST_F(DefaultLook, ASceneFileKeepsItsOwn) {
   file("cube.obj", cube_obj());
   const std::string model = "[[model]]\nname = 'cube'\nfile = 'cube.obj'\n[[instance]]\nmodel = 'cube'\n";
@@ -130,6 +145,9 @@ TEST_F(DefaultLook, ASceneFileKeepsItsOwn) {
   const Outcome refused = zstrip({"render", "own.toml", "--background", "ffffff"});
   EXPECT_EQ(refused.status, static_cast<int>(ExitStatus::usage));
   EXPECT_NE(refused.err.find("'own.toml' says it itself, in the key background"), std::string::npos) << refused.err;
+  const Outcome unlit = zstrip({"render", "own.toml", "--light", "0,1,0"});
+  EXPECT_EQ(unlit.status, static_cast<int>(ExitStatus::usage));
+  EXPECT_NE(unlit.err.find("'own.toml' says it itself, in [[light]]"), std::string::npos) << unlit.err;
 }
 
 }  // namespace
