@@ -75,11 +75,17 @@ std::uint64_t ram_on(const BoardModel& board, const FrameReport& report) {
          kReservedRam;
 }
 
+/// Returns at least so many digits, without an exponent.
+std::string rate_in_digits(double rate, int digits) {
+  return rate < std::pow(10, digits) - 0.5 ? fmt::format("{:.{}g}", rate, digits) : fmt::format("{:.0f}", rate);
+}
+
 }  // namespace
 
 std::string BoardRate::words() const {
   if (!fits()) return fmt::format("needs {} KB", (needed_ram + 1023) / 1024);
-  return least < most ? fmt::format("{:.2g} to {:.2g}", least, most) : fmt::format("{:.3g}", most);
+  return least < most ? fmt::format("{} to {}", rate_in_digits(least, 2), rate_in_digits(most, 2))
+                      : rate_in_digits(most, 3);
 }
 
 Result<Viewer> Viewer::open(const ViewRequest& request) {
@@ -141,19 +147,16 @@ void Viewer::zoom(double steps) {
   orbiting_.distance = std::clamp(orbiting_.distance * std::pow(kZoomStep, -steps), kClosest, kFarthest);
 }
 
-Result<ViewedFrame> Viewer::draw() {
+Result<ViewedFrame> Viewer::draw(bool with_png) {
   Result<Staging> staging = drawer_->stage().place(frame_, frames_);
   if (!staging) return staging.failure();
   orbiting_ = within_limits(staging->camera, orbiting_);
   staging->camera = orbited(staging->camera, orbiting_);
   const Result<DrawnFrame> drawn = drawer_->draw(*staging, drawing_->visibility.show);
   if (!drawn) return drawn.failure();
-  Result<std::vector<std::uint8_t>> png = drawer_->encoded(ImageType::png, *drawn);
-  if (!png) return png.failure();
-
   const SimulatedPanel* panel = drawer_->panel();
   ViewedFrame viewed{.picture = panel != nullptr ? panel->model().seen() : rgb_image_of(drawing_->view, drawn->pixels),
-                     .png = std::move(*png),
+                     .png = {},
                      .report = drawn->report,
                      .strips = strips_of(drawn->report.plan, drawing_->view),
                      .times = {},
@@ -182,26 +185,26 @@ Result<ViewedFrame> Viewer::draw() {
     viewed.rates.push_back(rate);
   }
   viewed.text = text(viewed);
+  Result<std::vector<std::uint8_t>> png = std::vector<std::uint8_t>{};
   if (look_ == Look::accuracy) {
     const Result<DrawnFrame> compared = drawer_->draw(*staging, Show::accuracy);
     if (!compared) return compared.failure();
-    Result<std::vector<std::uint8_t>> file = drawer_->encoded(ImageType::png, *compared);
-    if (!file) return file.failure();
+    if (with_png) png = drawer_->encoded(ImageType::png, *compared);
     viewed.picture = rgb_image_of(compared->view, compared->pixels);
-    viewed.png = std::move(*file);
     viewed.heat = compared->heat->figures;
     viewed.text.push_back(in_words(*viewed.heat));
   } else if (look_ != Look::colour) {
     // The cost on a device is that of the scene's normal picture.
     const Result<LookPicture> look = draw_look(*staging, look_, drawing_->view);
     if (!look) return look.failure();
-    Result<std::vector<std::uint8_t>> file = encode(ImageType::png, look->view, look->pixels);
-    if (!file) return file.failure();
+    if (with_png) png = encode(ImageType::png, look->view, look->pixels);
     viewed.picture = rgb_image_of(look->view, look->pixels);
-    viewed.png = std::move(*file);
-  } else if (!lies_upright(drawing_->panel)) {
-    viewed.strips.clear();
+  } else {
+    if (with_png) png = drawer_->encoded(ImageType::png, *drawn);
+    if (!lies_upright(drawing_->panel)) viewed.strips.clear();
   }
+  if (!png) return png.failure();
+  viewed.png = std::move(*png);
   return viewed;
 }
 

@@ -42,7 +42,7 @@ struct BoardRate {
 /// A frame, and its cost on a device.
 struct ViewedFrame {
   RgbImage picture;
-  std::vector<std::uint8_t> png;  ///< the file that `zstrip render` writes
+  std::vector<std::uint8_t> png;  ///< the file that `zstrip render` writes, if asked for
   FrameReport report;
   std::vector<Rect> strips;           ///< in the picture's pixels; empty on a panel that rotates or mirrors them
   std::vector<StripTimes> times;      ///< of each strip; only with a board
@@ -81,7 +81,8 @@ class Viewer {
   /// Returns the duration of the animation, or of a rotation.
   std::uint32_t milliseconds() const { return milliseconds_of(drawer_->stage()); }
 
-  Result<ViewedFrame> draw();
+  /// `with_png`: also the file, which takes as long as some pictures.
+  Result<ViewedFrame> draw(bool with_png = true);
 
  private:
   explicit Viewer(const ViewRequest& request) : request_(request) {}
