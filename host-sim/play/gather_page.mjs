@@ -1,12 +1,13 @@
 // Gathers the page with the example scenes in a folder that any server of files can show:
-//     node gather_page.mjs FOLDER MODULE...     (MODULE: what was linked, .mjs and .wasm)
+//     node gather_page.mjs FOLDER MODULE...     (MODULE: what was linked, .mjs and .wasm, which draws the thumbnails)
 // ZSTRIP_PICO_PROGRAM names zstrip_pico_player.uf2, ZSTRIP_PICO2_PROGRAM zstrip_pico2_player.uf2; else the page gets those
 // of the build tree that are there, and it is said which it does not get.
 // Exit status: 0, 1 one that is named is no file, or a module is none: FOLDER is as it was.
 import {copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
-import {basename, dirname, join, relative} from 'node:path';
+import {basename, dirname, join, relative, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
+import {drawThumbnails} from './draw_thumbnails.mjs';
 import {kPicoPrograms} from './page/settings.mjs';
 
 const kHere = dirname(fileURLToPath(import.meta.url));
@@ -76,8 +77,8 @@ try {
 rmSync(folder, {recursive: true, force: true});
 mkdirSync(folder, {recursive: true});
 const examples = [
-  ...Object.entries(kBuiltIn).map(([scene, words]) => ({scene, title: `${scene}: ${words}`})),
   ...tomls(join(kScenes, 'gallery')).map(example),
+  ...Object.entries(kBuiltIn).map(([scene, words]) => ({scene, title: `${scene}: ${words}`})),
   ...tomls(kScenes).map(example),
   {scene: kFigure, title: 'figure: it walks, by a skin', files: [kFigure]},
 ];
@@ -86,6 +87,9 @@ for (const path of new Set(examples.flatMap(({files}) => files ?? []))) {
   mkdirSync(dirname(target), {recursive: true});
   copyFileSync(join(kScenes, path), target);
 }
+const module = modules.find((path) => path.endsWith('.mjs'));
+mkdirSync(join(folder, 'thumbnails'));
+if (module) await drawThumbnails(resolve(module), examples, kScenes, folder);
 for (const [, file, path] of programs) copyFileSync(path, join(folder, file));
 writeFileSync(join(folder, 'contents.json'), JSON.stringify({examples, programs: programs.map(([board]) => board)}));
 for (const name of readdirSync(join(kHere, 'page'))) copyFileSync(join(kHere, 'page', name), join(folder, name));

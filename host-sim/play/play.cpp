@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -16,6 +17,8 @@
 #include "cli/render_command.hpp"
 #include "cli/scenes_command.hpp"
 #include "cli/usage_error.hpp"
+#include "compose/perspective_runs.hpp"
+#include "plan/depth_advice.hpp"
 #include "play/left_out.hpp"
 #include "report/frame_record.hpp"
 #include "report/heat_json.hpp"
@@ -60,7 +63,46 @@ Result<ViewRequest> parse(const std::string& words) {
     return Failure{ExitStatus::usage, usage_error(app, error)};
   }
   if (const std::optional<Failure> failure = left_out(options.drawing.scene)) return *failure;
-  return parse_view_request(options);
+  Result<ViewRequest> request = parse_view_request(options);
+  if (request) request->smooth = !options.frames;
+  return request;
+}
+
+/// The values of the options that are not given: those of the scene and of the panel, or else the command's; none if
+/// these do not go together.
+Json defaults_of(const ViewRequest& request) {
+  const std::string& scene = request.drawing.scene;
+  const Result<PictureSettings> settings = settings_of(scene);
+  if (!settings) return Json::object();
+  const DrawingArguments none{.scene = scene, .panel = request.drawing.panel};
+  const Result<Drawing> drawing = parse_drawing(none, *settings);
+  if (!drawing) return Json::object();
+  const View& view = drawing->view;
+  const auto* const run =
+      std::ranges::find(kPerspectiveRuns, drawing->perspective, [](auto& each) { return each.second; });
+  Json defaults{
+      {"size", fmt::format("{}x{}", view.width, view.height)},
+      {"format", name(view.format)},
+      {"dither", view.dither},
+      {"samples", view.samples},
+      {"edges", drawing->edges.value_or(false)},
+      {"depth-format", name(drawing->depth_format)},
+      {"perspective", run->first},
+      {"frames", viewer->frames()},
+  };
+  if (drawing->ram_limit == RamLimit::given && drawing->budget.bytes != 0) defaults["ram"] = drawing->budget.bytes;
+  if (drawing->budget.strip_rows != 0) defaults["strip-rows"] = drawing->budget.strip_rows;
+  if (kind_of_scene(scene) == SceneKind::model) {
+    const Colour& colour = drawing->model.look.background;
+    defaults["background"] = fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
+  }
+  return defaults;
+}
+
+Json boards() {
+  Json boards = Json::object();
+  for (const BoardModel& board : board_models()) boards[std::string(board.name)] = board.description;
+  return boards;
 }
 
 /// As ImageData has them: red, green, blue, and no transparency.
@@ -111,15 +153,18 @@ Json accuracy_of_frame() {
 extern "C" {
 
 /// `words`: the scene and the options of `zstrip view`, one a line. All answers are JSON: what was asked for, or
-/// {"error", "status"}.
+/// {"error", "status"}; then the scene before stays open.
 EMSCRIPTEN_KEEPALIVE const char* zstrip_open(const char* words) {
-  viewer.reset();
   const Result<ViewRequest> request = parse(words);
   if (!request) return answered(request.failure());
   Result<Viewer> opened = Viewer::open(*request);
   if (!opened) return answered(opened.failure());
   viewer.emplace(std::move(*opened));
-  return answered(Json{{"frames", viewer->frames()}, {"milliseconds", viewer->milliseconds()}});
+  return answered(Json{{"frames", viewer->frames()},
+                       {"milliseconds", viewer->milliseconds()},
+                       {"moves", viewer->moves()},
+                       {"defaults", defaults_of(*request)},
+                       {"boards", boards()}});
 }
 
 EMSCRIPTEN_KEEPALIVE void zstrip_turn(double yaw, double pitch) {
@@ -142,7 +187,7 @@ EMSCRIPTEN_KEEPALIVE void zstrip_look(int look) {
 /// The frame's figures.
 EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
   if (!viewer) return answered(Failure{ExitStatus::usage, "no scene is open"});
-  Result<ViewedFrame> drawn = viewer->draw();
+  Result<ViewedFrame> drawn = viewer->draw(false);
   if (!drawn) return answered(drawn.failure());
   viewed = std::move(*drawn);
   convert_pixels(viewed.picture);
@@ -166,10 +211,19 @@ EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
   });
 }
 
-/// Returns the frame that was drawn last: four bytes a pixel, or the file that `zstrip render` writes.
+/// Returns the frame that was drawn last, four bytes a pixel.
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* zstrip_pixels() { return rgba.data(); }
+
+/// Returns the length of that frame's file, as `zstrip render` writes it, which zstrip_png() then returns; 0 without
+/// one.
+EMSCRIPTEN_KEEPALIVE std::size_t zstrip_png_bytes() {
+  if (!viewer) return 0;
+  Result<ViewedFrame> drawn = viewer->draw(true);
+  if (!drawn) return 0;
+  viewed.png = std::move(drawn->png);
+  return viewed.png.size();
+}
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* zstrip_png() { return viewed.png.data(); }
-EMSCRIPTEN_KEEPALIVE std::size_t zstrip_png_bytes() { return viewed.png.size(); }
 
 }  // extern "C"
 

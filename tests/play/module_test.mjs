@@ -15,7 +15,7 @@ globalThis.require = createRequire(import.meta.url);
 globalThis.__dirname = page;
 const {Drawing} = await import(join(page, 'drawing.mjs'));
 const {examples, programs} = JSON.parse(readFileSync(join(page, 'contents.json'), 'utf8'));
-const {bakeWordsOf, commandLineOf, kLooks, kPicoPrograms, kSettings} = await import(join(page, 'settings.mjs'));
+const {bakeWordsOf, commandLineOf, kLooks, kPicoPrograms, kSettings, settingsOf} = await import(join(page, 'settings.mjs'));
 const command = new Command(process.env.ZSTRIP, join(page, 'examples'));
 
 const load = async () => {
@@ -184,8 +184,9 @@ test('zstrip bake takes the command line that the page shows', async () => {
 });
 
 test('the page with its first scene is small', () => {
-  const later = /^(examples|zstrip_pico2?_player\.uf2)$/;
-  const first = readdirSync(page).filter((name) => !later.test(name));
+  const later = /^(examples|thumbnails|zstrip_pico2?_player\.uf2)$/;
+  const [{files}] = examples.filter(({scene}) => scene === settingsOf('').settings.scene);
+  const first = [...readdirSync(page).filter((name) => !later.test(name)), ...files.map((name) => join('examples', name))];
   const bytes = first.reduce((sum, name) => sum + gzipSync(readFileSync(join(page, name)), {level: 9}).length, 0);
   console.log(`${bytes} bytes gzipped`);
   assert.ok(bytes <= 1.5 * 1024 * 1024, `${bytes} bytes gzipped`);

@@ -3,6 +3,7 @@
 // Environment: ZSTRIP the command, ZSTRIP_PAGE the page's folder, ZSTRIP_SERVE serve.mjs, ZSTRIP_CHROMIUM,
 // ZSTRIP_WORK a folder for what is written; with ZSTRIP_SCREENSHOTS also pictures of the page in three widths.
 import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
 import {existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
@@ -21,7 +22,7 @@ before(async () => {
   server = await (await import(ZSTRIP_SERVE)).serve(ZSTRIP_PAGE);
   address = `http://127.0.0.1:${server.address().port}/`;
   browser = new Chromium(ZSTRIP_CHROMIUM, join(ZSTRIP_WORK, 'profile'));
-  await browser.open(`${address}#scene=teapot&size=200x160`);
+  await browser.open(`${address}#scene=teapot&size=200x160&frame=0`);
   await drawn();
 });
 after(async () => {
@@ -56,19 +57,26 @@ async function shows(scene, options) {
 async function set(name, value) {
   const at = `#setting-${name}`;
   await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  if (await browser.evaluate(`document.querySelector('${at}').closest('details')?.open === false`)) await browser.click('summary');
   if (await browser.evaluate(`document.querySelector('${at}').type === 'checkbox'`)) return browser.click(at);
-  if (await browser.evaluate(`document.querySelector('${at}').tagName === 'SELECT'`)) {
-    // A list of the system, which a page cannot see: as keys choose in it.
+  if (await browser.evaluate(`document.querySelector('${at}').matches('select, [type=color]')`)) {
+    // A list or a picker of the system, which a page cannot see: as keys choose in it.
     return browser.evaluate(`(() => {
-      const select = document.querySelector('${at}');
-      select.value = '${value}';
-      select.dispatchEvent(new Event('change', {bubbles: true}));
+      const control = document.querySelector('${at}');
+      control.value = '${value}';
+      for (const type of ['input', 'change']) control.dispatchEvent(new Event(type, {bubbles: true}));
     })()`);
   }
   await browser.click(at);
   await browser.evaluate(`document.querySelector('${at}').select()`);
   await browser.type(value);
   await browser.press('Enter', 13, '\r');
+}
+
+async function choose(scene) {
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  await browser.click(`[data-scene="${scene}"]`);
+  await drawn();
 }
 
 const text = (selector) => browser.evaluate(`document.querySelector('${selector}').textContent`);
@@ -128,7 +136,7 @@ async function isCleared() {
     rows: document.querySelectorAll('tbody tr').length,
     command: document.getElementById('command').textContent,
     leftOut: document.getElementById('left-out').textContent,
-    downloads: document.querySelectorAll('#downloads button:enabled').length,
+    downloads: document.querySelectorAll('[data-file]:enabled').length,
   })`);
   assert.deepEqual(left, {rows: 0, command: '', leftOut: '', downloads: 0});
   assert.ok((await canvas()).rgb.every((byte) => byte === 0));
@@ -157,7 +165,34 @@ test('a value that is wrong is said beside its setting in the words of the page,
     await drawn();
     assert.equal(await browser.evaluate(`document.querySelectorAll('[aria-invalid], .refused').length`), 0);
   }
-  assert.equal(await browser.evaluate(`document.querySelectorAll('#downloads button:disabled').length`), 0);
+  assert.equal(await browser.evaluate(`document.querySelectorAll('[data-file]:disabled').length`), 0);
+});
+
+const shownLabel = (name) => browser.evaluate(`(() => {
+  const control = document.getElementById('setting-${name}');
+  return control.selectedOptions ? control.selectedOptions[0].textContent : control.placeholder;
+})()`);
+
+test('a default is named by its value, which is that of the scene', async () => {
+  await set('format', '');
+  await drawn();
+  assert.deepEqual(await Promise.all(['format', 'samples', 'depth-format', 'strip-rows', 'ram', 'background'].map(shownLabel)),
+    ['rgb565 (default)', '1 (default)', 'float', 'auto (default)', '24K, or what it needs (default)', '']);
+  await choose('gallery/lighthouse.toml');
+  assert.deepEqual(await Promise.all(['format', 'samples', 'light'].map(shownLabel)),
+    ['rgb565_swapped (default)', '2 (default)', 'as the text says']);
+  await choose('teapot');
+  await set('format', 'gray4');
+  await drawn();
+});
+
+test('a scene that needs more memory than was asked for gets it when it is chosen', async () => {
+  await choose('gallery/watch.toml');
+  await set('ram', '6K');
+  await drawn();
+  await choose('teapot');
+  assert.match(await text('#messages'), /“RAM at most” 6K is too little for this scene/);
+  assert.equal(await browser.evaluate(`document.getElementById('setting-ram').value`), '');
 });
 
 test('a scene that cannot be drawn leaves nothing of the one before', async () => {
@@ -169,13 +204,7 @@ test('a scene that cannot be drawn leaves nothing of the one before', async () =
   assert.match(await text('#status'), /broken\.glb/);
   await isCleared();
   await screenshots('broken');
-  await browser.evaluate(`(() => {
-    document.body.dataset.state = 'asked';
-    const select = document.getElementById('example');
-    select.value = 'teapot';
-    select.dispatchEvent(new Event('change', {bubbles: true}));
-  })()`);
-  await drawn();
+  await choose('teapot');
 });
 
 test('a heat map shows how different the picture is from the truth', async () => {
@@ -215,6 +244,63 @@ test('the link holds settings and view', async () => {
   assert.ok((await canvas()).rgb.equals(before.rgb));
 });
 
+// As keys do, but all at once.
+async function write(toml) {
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  await browser.click('#text');
+  await browser.evaluate(`document.getElementById('text').select()`);
+  await browser.type(toml);
+}
+const textOfScene = () => browser.evaluate(`document.getElementById('text').value`);
+
+test('the text of a scene is drawn while it is edited, and what is wrong is said with its line', async () => {
+  await set('frames', '1');
+  await drawn();
+  await browser.click('#reset');
+  await drawn();
+  const original = await textOfScene();
+  const edited = original.replace(/^background = .*$/m, 'background = "#204060"');
+  assert.notEqual(edited, original);
+  await write(edited);
+  await drawn();
+  const file = join(ZSTRIP_PAGE, 'examples/gallery/edited.toml');
+  writeFileSync(file, edited);
+  await shows('gallery/edited.toml', ['--size', '160x120']);
+  const before = await canvas();
+  await write(`${edited}[camera\n`);
+  await drawn('failed');
+  const line = edited.split('\n').length;
+  assert.match(await text('#text-error'), new RegExp(`^Line ${line}: `));
+  assert.ok((await canvas()).rgb.equals(before.rgb), 'the last good picture stays');
+  assert.equal(await browser.evaluate(`document.querySelectorAll('[data-file]:enabled').length`), 0);
+  await screenshots('text');
+  await write(edited);
+  await drawn();
+  assert.equal(await browser.evaluate(`document.getElementById('text-error').hidden`), true);
+  // By its control; the text has it, too.
+  await set('background', '#406020');
+  await drawn();
+  assert.match(await textOfScene(), /^background = "#406020"$/m);
+  writeFileSync(file, await textOfScene());
+  await shows('gallery/edited.toml', ['--size', '160x120']);
+  // A link brings the text to another page.
+  await browser.until(`location.hash.includes('files=')`, kPatience, 'the text is not in the link');
+  const shown = await canvas();
+  await browser.evaluate(`document.body.dataset.state = 'old'`);
+  await browser.call('Page.reload');
+  await drawn();
+  assert.match(await textOfScene(), /^background = "#406020"$/m);
+  assert.ok((await canvas()).rgb.equals(shown.rgb));
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  await browser.click('#original');
+  await drawn();
+  assert.equal(await textOfScene(), original);
+  assert.doesNotMatch(await browser.evaluate('location.hash'), /files=/);
+  rmSync(file);
+  await set('frames', '');
+  await drawn();
+});
+
 test('of what has no truth the colours stay, and why is said', async () => {
   const before = await canvas();
   await look(4);
@@ -226,7 +312,7 @@ test('of what has no truth the colours stay, and why is said', async () => {
 test('keys turn the scene', async () => {
   await browser.evaluate(`document.getElementById('canvas').focus()`);
   await browser.press('ArrowRight', 39);
-  await browser.until(`location.hash.includes('yaw=35')`, kPatience, 'the key turns nothing');
+  await browser.until(`location.hash.includes('yaw=5')`, kPatience, 'the key turns nothing');
 });
 
 test('dropped files are drawn, with those beside them', async () => {
@@ -237,6 +323,20 @@ test('dropped files are drawn, with those beside them', async () => {
   await browser.drop('#drop', ['floor.obj', 'floor.mtl', 'tiles.png'].map((name) => join(models, name)));
   await drawn();
   await shows('models/floor.obj', ['--size', '160x120']);
+  await set('background', '#102030');
+  await drawn();
+  await set('light', '-1,0.5,0.5');
+  await drawn();
+  await shows('models/floor.obj', ['--size', '160x120', '--background', '102030', '--light=-1,0.5,0.5']);
+  await browser.click('#reset-background');
+  await set('light', '');
+  await drawn();
+  assert.match(await text('#link-files'), /^The link has 3 files in it/);
+});
+
+test('each kind of file that is read is named where files are dropped', async () => {
+  const {kScenes} = await import(join(ZSTRIP_PAGE, 'files.mjs'));
+  for (const ending of kScenes) assert.ok((await text('#drop')).includes(ending), ending);
 });
 
 test('downloads are the command\'s files', async () => {
@@ -247,6 +347,17 @@ test('downloads are the command\'s files', async () => {
     const strip = (bytes) => bytes.toString('latin1').replaceAll('models/floor.obj', 'floor.obj');
     assert.equal(strip(await download(name)), strip(expected), name);
   }
+});
+
+test('the sketch is one zip file with its folder, and a picture has all frames', async () => {
+  await download('scene.zip');
+  const folder = join(ZSTRIP_WORK, 'downloads');
+  execFileSync('cmake', ['-E', 'tar', 'xf', 'scene.zip'], {cwd: folder});
+  for (const name of ['scene.ino', 'scene.hpp']) {
+    assert.ok(readFileSync(join(folder, 'scene', name)).equals(readFileSync(join(folder, name))), name);
+  }
+  const expected = command.writes('render', 'models/floor.obj', 'turn.apng', ['--size', '160x120', '--frames', '1']);
+  assert.ok((await download('turn.apng')).equals(expected));
 });
 
 test('files for the Picos are of the boot loaders\' kind', async () => {
@@ -288,6 +399,27 @@ async function screenshots(name) {
     }
   }
 }
+
+test('the page opens on the lighthouse, which plays in 22 KB, and the picture stays in sight', async () => {
+  await browser.call('Page.navigate', {url: 'about:blank'});
+  await browser.call('Page.navigate', {url: address});
+  await browser.until(`document.body?.dataset.state === 'drawn'`, kPatience, 'nothing is drawn');
+  const frame = await browser.evaluate(`document.getElementById('frame-number').value`);
+  await browser.until(`document.getElementById('frame-number').value !== '${frame}'`, kPatience, 'it does not play');
+  assert.equal(await shownLabel('board'), 'Raspberry Pi Pico');
+  assert.match(await text('#headline'), /2[012] KB of RAM.*frames\/s.*on Raspberry Pi Pico/s);
+  assert.ok(!(await browser.evaluate('location.hash')).includes('frame='));
+  for (const width of kWidths) {
+    await resize(width);
+    const {top, bottom, height} = await browser.evaluate(`(() => {
+      scrollTo(0, document.body.scrollHeight / 2);
+      const {top, bottom} = document.getElementById('canvas').getBoundingClientRect();
+      return {top, bottom, height: innerHeight};
+    })()`);
+    assert.ok(top >= 0 && bottom <= height, `${width}: the picture is at ${top} to ${bottom}`);
+  }
+  await browser.click('#play');
+});
 
 test('the page is legible in three widths', async () => {
   for (const width of kWidths) {

@@ -99,8 +99,9 @@ export class Drawing {
   // The frame that was drawn last as a file: byte for byte that of `zstrip render`.
   png() {
     const module = this.#module;
+    const length = module._zstrip_png_bytes();
     const begin = module._zstrip_png();
-    return module.HEAPU8.slice(begin, begin + module._zstrip_png_bytes());
+    return module.HEAPU8.slice(begin, begin + length);
   }
 
   // The command with these arguments, of which `names` are files that it writes.

@@ -1,4 +1,6 @@
 // The tables beside the picture: memory by its purpose, work, and about how fast boards are.
+import {nameOfBoard} from './settings_form.mjs';
+
 const kPurposes = {
   instances: 'placed instances',
   extents: 'extents',
@@ -10,11 +12,11 @@ const kPurposes = {
   strip_pixels: 'pixels of the strips'
 };
 
-// Rows of a name, a number or text, and whether it is a sum.
+// Rows of a name, a number or text, and whether it stands out.
 function fill(id, rows) {
-  document.getElementById(id).tBodies[0].replaceChildren(...rows.map(([name, value, isTotal]) => {
+  document.getElementById(id).tBodies[0].replaceChildren(...rows.map(([name, value, isMain]) => {
     const row = document.createElement('tr');
-    row.className = isTotal ? 'total' : '';
+    row.className = isMain ? 'main' : '';
     const head = document.createElement('th');
     head.scope = 'row';
     head.textContent = name;
@@ -45,17 +47,34 @@ function showAccuracy(accuracy) {
   ]);
 }
 
-// Shows the figures of a frame that worker.mjs has drawn.
-export function showFigures(figures) {
+const kilobytes = (bytes) => (bytes / 1024).toFixed(bytes < 10240 ? 1 : 0);
+
+// What is asked first, below the picture. Rates are "12" or "8 to 17", or say what a board lacks.
+function showHeadline(total, {strips, flash_bytes, rates}, board, isShown) {
+  const rate = rates[board] ?? '', isRate = /^\d/.test(rate);
+  const few = rate.replace(/[\d.]+/g, (digits) => String(Number(Number(digits).toPrecision(2))));
+  for (const [id, text] of [
+    ['ram', `${kilobytes(total)} KB of RAM`],
+    ['strips', strips.length > 1 ? `in ${strips.length} strips` : 'for the picture and all else'],
+    ['flash', `${kilobytes(flash_bytes)} KB of flash`],
+    ['rate', isRate ? `about ${few} frames/s` : rate],
+    ['board', board ? `on ${nameOfBoard(board)}${isRate ? `, ${isShown ? 'as' : 'not as'} shown` : ''}` : '']
+  ]) document.getElementById(`headline-${id}`).textContent = text;
+}
+
+// Shows the figures of a frame that worker.mjs has drawn. `board`: the chosen one, or nothing;
+// `isShown`: its speed is shown.
+export function showFigures(figures, board, isShown) {
   const purposes = Object.entries(figures.ram_bytes).filter(([name, bytes]) => name in kPurposes && bytes !== 0);
   const total = purposes.reduce((sum, [, bytes]) => sum + bytes, 0);
+  showHeadline(total, figures, board, isShown);
   fill('memory', [...purposes.map(([name, bytes]) => [kPurposes[name], bytes]), ['together', total, true]]);
   fill('work', [
     ['triangles', figures.triangles], ['of these drawn', figures.drawn], ['fragments', figures.fragments],
     ['instructions of a Cortex-M3, about', figures.m3_instructions], ['flash of the scene, bytes', figures.flash_bytes]
   ]);
   showAccuracy(figures.accuracy);
-  fill('boards', Object.entries(figures.rates));
+  fill('boards', Object.entries(figures.rates).map(([name, rate]) => [nameOfBoard(name), rate, name === board]));
   showLeftOut(figures.estimate_leaves_out);
 }
 
@@ -65,6 +84,7 @@ function showLeftOut(effects) {
 
 export function clearFigures() {
   for (const id of ['memory', 'work', 'boards']) fill(id, []);
+  for (const each of document.querySelectorAll('#headline dd')) each.textContent = '';
   showAccuracy(null);
   showLeftOut([]);
 }

@@ -1,34 +1,41 @@
 // The playground: controls and what is dropped decide what the worker draws, and a link holds them all.
 import {call} from './calls.mjs';
+import {fileOf, save} from './downloads.mjs';
+import {listenToText, markError, showText, shownText} from './editor.mjs';
 import {clearFigures, showFigures} from './figures.mjs';
-import {chosenFiles, droppedFiles, sceneAmong, sceneEndings} from './files.mjs';
-import {clearPicture, showPicture} from './picture.mjs';
+import {chosenFiles, droppedFiles, kScenes, sceneAmong} from './files.mjs';
+import {kMaxPacked, pack, unpack} from './packed_files.mjs';
+import {clearPicture, hasArrived, showPicture} from './picture.mjs';
+import {addOwn, fetchExample, forgetEdits, isEdited, ownFilesOf, setExamples, textOf} from './scene_files.mjs';
+import {backgroundOf, lineOfError, withBackground, withLight} from './scene_text.mjs';
 import {
-  bakeWordsOf, commandLineOf, kPicoPrograms, kSettings, kStartView, linkOf, optionsOf, settingsOf
+  bakeWordsOf, commandLineOf, isText, kPicoPrograms, kStartView, linkOf, optionsOf, settingsOf
 } from './settings.mjs';
+import {makeSettings, showRefused, showSettings} from './settings_form.mjs';
+import {listenToSteering} from './steering.mjs';
+import {makeThumbnails, showChosen} from './thumbnails.mjs';
 import {inWordsOfPage, settingOf} from './words.mjs';
 
-const kInternalError = 1;  // exit status of the command
-const kDegreesOfPixel = 0.4;
-const kDegreesOfKey = 5;
+const kInternalError = 1, kTooLittleMemory = 5;  // exit statuses of the command
 
 // A mark on the page's time line.
 const kFirstPicture = 'first-picture';
 
 const element = (id) => document.getElementById(id);
-const canvas = element('canvas');
 
-let {settings, view} = settingsOf(location.hash);
-let opened = {frames: 64, milliseconds: 4000};
-let drawn;  // by the worker, and its figures
+let settings, view, playing;
+let opened;   // what the worker says of the scene
+let drawn;    // by the worker, and its figures
 let figures;
 let isOpen = false;
-let playing = false;
-let examples = [];
-let programs = [];  // the boards whose program the page has
+let isNew = true;     // the scene has just been chosen: it may have more memory than was asked for
+let isTyped = false;  // the text has just been edited: if it is wrong, the picture before stays
+let programs = [];    // the boards whose program the page has
+let packed = {};      // files in the link
 
 // ---- what is said ----
 function say(text, messages = []) {
+  element('status').ariaLive = playing ? 'off' : 'polite';  // not each frame
   element('status').textContent = inWordsOfPage(text);
   element('status').classList.remove('failed');
   element('messages').replaceChildren(...[...new Set(messages)].map((message) => {
@@ -36,27 +43,17 @@ function say(text, messages = []) {
     item.textContent = inWordsOfPage(message);
     return item;
   }));
-  for (const note of document.querySelectorAll('#settings .refused')) note.remove();
-  for (const control of element('settings').elements) {
-    for (const name of ['aria-invalid', 'aria-describedby']) control.removeAttribute(name);
-  }
+  showRefused();
+  markError();
 }
 
-// Beside the setting that it speaks of, too.
+// Beside the setting or the line that it speaks of, too.
 function fail(error) {
   say(error.message, (error.messages ?? []).filter((message) => message !== error.message));
   element('status').classList.add('failed');
   document.body.dataset.state = 'failed';
-  const name = settingOf(error.message);
-  if (!name) return;
-  const control = element(`setting-${name}`);
-  const note = document.createElement('p');
-  note.className = 'refused';
-  note.id = `refused-${name}`;
-  note.textContent = inWordsOfPage(error.message);
-  control.setAttribute('aria-invalid', 'true');
-  control.setAttribute('aria-describedby', note.id);
-  control.after(note);
+  showRefused(settingOf(error.message), inWordsOfPage(error.message));
+  markError(lineOfError(error.message, settings.scene));
 }
 
 // ---- drawing ----
@@ -78,8 +75,11 @@ async function update(what) {
     document.body.dataset.state = 'drawn';
   } catch (error) {
     wanted = undefined;
-    setPlaying(false);
-    clear();
+    if (isTyped && error.status !== kInternalError) {
+      setDownloads(false);
+    } else {
+      clear();
+    }
     fail(error);
   }
   showLink();
@@ -96,12 +96,29 @@ async function open() {
 }
 
 async function openAndDraw() {
-  isOpen = false;
+  isOpen = isTyped && isOpen;
   setDownloads(false);
-  say('Loading …');
-  await fetchExample();
+  if (!isTyped) say('Loading …');
+  await fetchExample(settings.scene);
   await open();
-  await draw();
+  markError();
+  await drawInEnoughMemory();
+  isNew = isTyped = false;
+  showControls();
+}
+
+// A scene that has just been chosen gets the memory that it needs.
+async function drawInEnoughMemory() {
+  try {
+    await draw();
+  } catch (error) {
+    if (!isNew || error.status !== kTooLittleMemory || !settings.ram) throw error;
+    const words = `“RAM at most” ${settings.ram} is too little for this scene: it gets what it needs`;
+    settings.ram = '';
+    await open();
+    messages = [...messages, words];
+    await draw();
+  }
 }
 
 // A scene that cannot be drawn in this look gets its colours, and the reason.
@@ -117,72 +134,81 @@ async function drawnOrColours() {
   }
 }
 
+function show() {
+  showPicture(drawn, element('borders').checked, Boolean(view.slow));
+}
+
 async function draw() {
   let refused;
   ({drawn, refused} = await drawnOrColours());
   figures = drawn.figures;
-  showPicture(drawn, element('borders').checked);
+  show();
   if (performance.getEntriesByName(kFirstPicture).length === 0) performance.mark(kFirstPicture);
-  say(`${figures.width}x${figures.height}, frame ${figures.frame + 1} of ${opened.frames}, ` +
-      `drawn in ${figures.strips.length || 'turned'} ${figures.strips.length === 1 ? 'strip' : 'strips'}`,
-      [...refused, ...messages, ...figures.messages]);
+  if (element('text-error').hidden) {
+    say(`${figures.width}x${figures.height}, frame ${figures.frame + 1} of ${opened.frames}, ` +
+        `drawn in ${figures.strips.length || 'turned'} ${figures.strips.length === 1 ? 'strip' : 'strips'}`,
+        [...refused, ...messages, ...figures.messages]);
+    setDownloads(true);
+  }
   tell();
-  setDownloads(true);
 }
 
 // Nothing of the scene before stays under the name of the one that failed.
 function clear() {
+  isOpen = false;
   drawn = figures = undefined;
   clearPicture();
   clearFigures();
   element('command').textContent = '';
   setDownloads(false);
+  showControls();
 }
 
 function setDownloads(on) {
-  for (const button of element('downloads').children) button.disabled = !on;
+  for (const button of document.querySelectorAll('[data-file]')) button.disabled = !on;
 }
 
-function showLink() {
-  history.replaceState(null, '', linkOf(settings, view));
-  element('link').value = location.href;
-}
-
+const kCommands = ['scene.hpp', 'scene.ino', 'main.cpp', 'scene.uf2'];
 function tell() {
-  showFigures(figures);
-  const choice = element('setting-board');
-  for (const board of Object.keys(figures.rates)) {
-    if (![...choice.options].some(({value}) => value === board)) choice.append(new Option(board, board));
-  }
+  showFigures(figures, settings.board, Boolean(view.slow));
   element('command').textContent = [
     ['view', settings.scene, ...optionsOf(settings)],
-    ...['scene.hpp', 'scene.ino', 'main.cpp', 'scene.uf2'].map((name) => bakeWordsOf(settings, name, element('pico').value)),
+    ...kCommands.map((name) => bakeWordsOf(settings, name, element('pico').value)),
   ].map(commandLineOf).join('\n');
 }
 
+// ---- the link ----
+function showLink() {
+  if (playing && isOpen && element('link').dataset.of === linkOfPage()) return;  // browsers allow few changes a second
+  element('link').dataset.of = linkOfPage();
+  history.replaceState(null, '', linkOfPage());
+  element('link').value = location.href;
+  element('link-files').textContent = packed.words ?? '';
+}
+const linkOfPage = () => linkOf(settings, {...view, frame: playing ? undefined : view.frame}, packed.files);
+
+// Packs the user's own files for the link.
+async function packOwn() {
+  const own = ownFilesOf(settings.scene);
+  packed = {};
+  if (own.length === 0) return showLink();
+  const files = await pack(own);
+  const names = own.length === 1 ? own[0].path : `${own.length} files`;
+  const size = `${(files.length / 1024).toFixed(1)} KB packed`;
+  packed = files.length <= kMaxPacked ?
+    {files, words: `The link has ${names} in it: ${size}.`} :
+    {words: `The link is without ${names}: ${size}, and a link has at most ${kMaxPacked / 1024} KB.`};
+  showLink();
+}
+
 // ---- scenes ----
-async function fetched(address, path) {
-  const response = await fetch(address);
-  if (!response.ok) throw new Error(`${address}: ${response.status} ${response.statusText}`);
-  return {path, bytes: new Uint8Array(await response.arrayBuffer())};
-}
-
-// Examples are fetched when they are chosen first.
-async function fetchExample() {
-  const example = examples.find(({scene}) => scene === settings.scene);
-  if (!example || !example.files || example.fetched) return;
-  const files = await Promise.all(example.files.map((path) => fetched(`examples/${path}`, path)));
-  await call('addFiles', files);
-  example.fetched = true;
-}
-
 async function addFiles(reading) {
   try {
     const files = await reading;
     if (files.length === 0) return;
     const scene = sceneAmong(files);
-    if (!scene) throw new Error(`none of these files is a scene: ${sceneEndings()}`);
-    await call('addFiles', files);
+    if (!scene) throw new Error(`none of these files is a scene: ${kScenes.join(' ')}`);
+    await addOwn(files);
     choose(scene);
   } catch (error) {
     fail(error);
@@ -190,66 +216,74 @@ async function addFiles(reading) {
 }
 
 function choose(scene) {
-  settings.scene = scene;
-  view = {...kStartView};
-  showChoice();
+  settings = {...settings, scene, background: '', light: ''};
+  view = {...kStartView, slow: view.slow};
+  isNew = true;
+  isTyped = false;
+  showControls();
   update('open');
+  packOwn();
 }
 
-function showChoice() {
-  const select = element('example');
-  if (![...select.options].some(({value}) => value === settings.scene)) {
-    select.append(new Option(settings.scene, settings.scene));
-  }
-  select.value = settings.scene;
+async function edit(text) {
+  isTyped = true;
+  await addOwn([{path: settings.scene, bytes: new TextEncoder().encode(text)}], false);
+  update('open');
+  packOwn();
+}
+
+async function restore() {
+  await forgetEdits(settings.scene);
+  showControls();
+  update('open');
+  packOwn();
+}
+
+// All controls as settings, view and text are.
+function showControls() {
+  const text = isText(settings.scene) ? textOf(settings.scene) : undefined;
+  showChosen(settings.scene);
+  showSettings(settings, opened, text && backgroundOf(text));
+  showText(text, isEdited(settings.scene));
   element('look').value = view.look;
+  element('slow').checked = view.slow;
   element('frame-number').value = view.frame;
 }
 
-// ---- controls ----
-function addSetting({name, label, kind, choices, hint}) {
-  const text = document.createElement('label');
-  text.htmlFor = `setting-${name}`;
-  text.textContent = label;
-  const control = document.createElement(kind === 'choice' ? 'select' : 'input');
-  control.id = `setting-${name}`;
-  if (kind === 'choice') {
-    for (const choice of choices) control.append(new Option(choice || 'as is', choice));
-    if (settings[name] && !choices.includes(settings[name])) control.append(new Option(settings[name], settings[name]));
+// Background and light of a scene file are changed where they stand: in its text.
+const kInText = {background: withBackground, light: withLight};
+
+function change(name, value) {
+  if (name in kInText && isText(settings.scene)) {
+    if (value) edit(kInText[name](textOf(settings.scene), value));
+    return;
   }
-  if (kind === 'flag') {
-    control.type = 'checkbox';
-    control.checked = Boolean(settings[name]);
-  } else {
-    control.value = settings[name] ?? '';
-  }
-  if (kind === 'text') control.placeholder = hint;
-  control.addEventListener('change', () => {
-    settings[name] = kind === 'flag' ? (control.checked ? 'yes' : '') : control.value.trim();
-    update('open');
-  });
-  element('settings').append(text, control);
+  settings[name] = value;
+  isNew = isTyped = false;
+  update('open');
 }
 
+// ---- playing ----
 function setPlaying(on) {
   playing = on;
   element('play').setAttribute('aria-pressed', String(on));
   element('play').textContent = on ? 'Stop' : 'Play';
+  stepped = 0;
   if (on) requestAnimationFrame(play);
 }
 
 let stepped = 0;
 function play(now) {
   if (!playing) return;
-  const duration = opened.milliseconds / opened.frames;
-  if (!busy && now - stepped >= duration) {
-    const frames = stepped === 0 ? 1 : Math.max(1, Math.round((now - stepped) / duration));
-    view.frame = (view.frame + frames) % opened.frames;
-    element('frame-number').value = view.frame;
-    stepped = now;
-    update('draw');
-  }
   requestAnimationFrame(play);
+  if (busy || !isOpen || !hasArrived()) return;
+  const duration = opened.milliseconds / opened.frames;
+  if (now - stepped < duration - 1) return;
+  const frames = stepped === 0 ? 1 : Math.max(1, Math.round((now - stepped) / duration));
+  view.frame = (view.frame + frames) % opened.frames;
+  element('frame-number').value = view.frame;
+  stepped = now;
+  update('draw');
 }
 
 function turn(yaw, pitch) {
@@ -262,31 +296,13 @@ function zoom(steps) {
   update('draw');
 }
 
-const kKeys = {
-  ArrowLeft: () => turn(-kDegreesOfKey, 0),
-  ArrowRight: () => turn(kDegreesOfKey, 0),
-  ArrowUp: () => turn(0, -kDegreesOfKey),
-  ArrowDown: () => turn(0, kDegreesOfKey),
-  '+': () => zoom(1),
-  '-': () => zoom(-1),
-};
-
+// ---- controls ----
 function listen() {
-  element('settings').addEventListener('submit', (event) => event.preventDefault());
-  canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
-  canvas.addEventListener('pointermove', (event) => {
-    if (event.buttons !== 0) turn(event.movementX * kDegreesOfPixel, event.movementY * kDegreesOfPixel);
-  });
-  canvas.addEventListener('wheel', (event) => {
-    event.preventDefault();
-    zoom(-Math.sign(event.deltaY));
-  }, {passive: false});
-  canvas.addEventListener('keydown', (event) => {
-    if (!(event.key in kKeys)) return;
-    event.preventDefault();
-    kKeys[event.key]();
-  });
+  listenToSteering(turn, zoom);
+  listenToText(() => edit(shownText()), restore);
+  for (const form of document.forms) form.addEventListener('submit', (event) => event.preventDefault());
   element('frame-number').addEventListener('input', ({target}) => {
+    setPlaying(false);
     view.frame = Number(target.value);
     update('draw');
   });
@@ -298,13 +314,21 @@ function listen() {
     showPico();
     if (figures) tell();
   });
-  element('borders').addEventListener('change', () => drawn && showPicture(drawn, element('borders').checked));
-  element('play').addEventListener('click', () => setPlaying(!playing));
+  element('borders').addEventListener('change', () => drawn && show());
+  element('slow').addEventListener('change', ({target}) => {
+    view.slow = Number(target.checked);
+    update('draw');
+  });
+  element('play').addEventListener('click', () => {
+    setPlaying(!playing);
+    showLink();
+  });
   element('reset').addEventListener('click', () => {
     Object.assign(view, {yaw: 0, pitch: 0, zoom: 0});
     update('draw');
   });
-  element('example').addEventListener('change', ({target}) => choose(target.value));
+  element('whole').addEventListener('click', () =>
+    document.fullscreenElement ? document.exitFullscreen() : element('stage').requestFullscreen());
   element('files').addEventListener('change', ({target}) => addFiles(chosenFiles(target)));
   element('copy').addEventListener('click', () => navigator.clipboard.writeText(location.href));
   for (const name of ['dragover', 'dragleave', 'drop']) {
@@ -314,24 +338,15 @@ function listen() {
     });
   }
   document.addEventListener('drop', ({dataTransfer}) => addFiles(droppedFiles(dataTransfer)));
-  element('downloads').addEventListener('click', ({target}) => target.dataset.file && download(target.dataset.file));
-  window.addEventListener('hashchange', () => {
-    ({settings, view} = settingsOf(location.hash));
-    element('settings').replaceChildren();
-    kSettings.forEach(addSetting);
-    showChoice();
-    update('open');
-  });
+  document.addEventListener('click', ({target}) => target.dataset?.file && download(target.dataset.file));
+  window.addEventListener('hashchange', () => openLink().catch(fail));
 }
 
 async function download(name) {
   try {
-    const {bytes, messages} = name === 'picture.png' ? {bytes: await call('png')} : await baked(name);
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([bytes]));
-    link.download = name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    say(`${name}: being made …`);
+    const {bytes, messages} = await fileOf(name, settings, opened.frames, element('pico').value);
+    save(bytes, name);
     say(`${name}: ${bytes.length.toLocaleString('en')} bytes`, messages);
   } catch (error) {
     fail(error);
@@ -346,25 +361,27 @@ function showPico() {
   element('pico-program').textContent = kPicoPrograms[board];
 }
 
-// Returns the file that `zstrip bake` writes.
-async function baked(name) {
-  const words = bakeWordsOf(settings, name, element('pico').value);
-  const program = kPicoPrograms[element('pico').value];
-  if (words.includes(program)) await call('addFiles', [await fetched(program, program)]);
-  const {files, messages} = await call('run', {words: [...words, '--quiet'], names: [name]});
-  return {bytes: files[0].bytes, messages};
+async function openLink() {
+  const {plays, files, ...link} = settingsOf(location.hash);
+  ({settings, view} = link);
+  setPlaying(plays && !matchMedia('(prefers-reduced-motion: reduce)').matches);
+  if (files) await addOwn(await unpack(files));
+  isNew = false;
+  isTyped = false;
+  showControls();
+  await Promise.all([update('open'), packOwn()]);
 }
 
 async function start() {
   const response = await fetch('contents.json');
   const contents = await response.json();
-  examples = contents.examples;
+  setExamples(contents.examples);
   programs = contents.programs;
   showPico();
-  for (const {scene, title} of examples) element('example').append(new Option(title, scene));
-  kSettings.forEach(addSetting);
-  showChoice();
+  const fetchThumbnails = makeThumbnails(contents.examples, choose);
+  makeSettings(change);
   listen();
-  update('open');
+  await openLink();
+  fetchThumbnails();
 }
 start().catch(fail);

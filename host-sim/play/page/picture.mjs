@@ -2,6 +2,10 @@
 const canvas = document.getElementById('canvas');
 const marks = document.getElementById('marks');
 let arrival = 0;
+let arrived = true;
+
+// False while strips of the picture are still to come.
+export const hasArrived = () => arrived;
 
 function mark(strips, lit) {
   const context = marks.getContext('2d');
@@ -14,9 +18,10 @@ function mark(strips, lit) {
   });
 }
 
-// Shows the picture of worker.mjs. Strips with times are shown when these have come; `borders`: around each strip.
-export function showPicture({figures, pixels}, borders) {
+// Shows the picture of worker.mjs. `borders`: around each strip; `slow`: strips are shown when their times have come.
+export function showPicture({figures, pixels}, borders, slow) {
   cancelAnimationFrame(arrival);
+  arrived = true;
   canvas.classList.remove('empty');
   const {width, height, strips} = figures;
   const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
@@ -25,27 +30,30 @@ export function showPicture({figures, pixels}, borders) {
   }
   const context = canvas.getContext('2d');
   const marked = borders ? strips : [];
-  if (!strips.some((strip) => 'send_end' in strip)) {
+  if (!slow || !strips.some((strip) => 'send_end' in strip)) {
     context.putImageData(image, 0, 0);
     mark(marked, -1);
     return;
   }
   const begun = performance.now();
-  let arrived = 0;
+  let next = 0;
+  arrived = false;
   const step = () => {
     const now = (performance.now() - begun) / 1000;
-    for (; arrived < strips.length && strips[arrived].send_end <= now; ++arrived) {
-      const {left, top, right, bottom} = strips[arrived];
+    for (; next < strips.length && strips[next].send_end <= now; ++next) {
+      const {left, top, right, bottom} = strips[next];
       context.putImageData(image, 0, 0, left, top, right - left, bottom - top);
     }
     mark(marked, strips.findIndex((strip) => strip.draw_begin <= now && now < strip.draw_end));
-    if (arrived < strips.length) arrival = requestAnimationFrame(step);
+    arrived = next === strips.length;
+    if (!arrived) arrival = requestAnimationFrame(step);
   };
   step();
 }
 
 export function clearPicture() {
   cancelAnimationFrame(arrival);
+  arrived = true;
   for (const each of [canvas, marks]) each.getContext('2d').clearRect(0, 0, each.width, each.height);
   canvas.classList.add('empty');
 }

@@ -1,45 +1,82 @@
 // The settings: options of the command, controls of the page, and parts of a link.
 
-// The first choice is the command's own, for which no option is given. `kind`: choice, flag or text;
-// `isBaked`: `zstrip bake` has it, too.
+// `kind`: choice, flag, text or colour; without a value no option is given. `tip`: what the setting does. `isBaked`:
+// `zstrip bake` has it, too. `isOfModels`: only of a model; a scene file says it in its text. `isRare`: shown on demand.
 export const kSettings = [
-  {name: 'size', label: 'Size', option: '--size', isBaked: true, kind: 'text', hint: '240x240'},
   {
-    name: 'format',
-    label: 'Pixels',
-    option: '--format', isBaked: true,
-    kind: 'choice',
-    choices: ['', 'rgb565', 'rgb565_swapped', 'rgb666', 'rgb444', 'xrgb8888', 'gray4', 'mono']
+    name: 'board', label: 'Board', option: '--board', kind: 'choice', choices: [''], none: 'none',
+    tip: 'Its memory is the limit, and the frames a second below the picture are an estimate for it.'
   },
-  {name: 'dither', label: 'Dithering', option: '--dither', isBaked: true, kind: 'flag'},
-  {name: 'ram', label: 'RAM at most', option: '--ram', isBaked: true, kind: 'text', hint: '20K or 1M'},
-  {name: 'strip-rows', label: 'Rows of a strip', option: '--strip-rows', isBaked: true, kind: 'text', hint: 'auto'},
-  {name: 'samples', label: 'Samples a pixel', option: '--samples', isBaked: true, kind: 'choice', choices: ['', '2', '4']},
-  {name: 'edges', label: 'Smooth edges', option: '--edges', isBaked: true, kind: 'flag'},
   {
-    name: 'depth-format',
-    label: 'Depth',
-    option: '--depth-format',
-    kind: 'choice',
-    choices: ['', 'float', 'z24']
+    name: 'ram', label: 'RAM at most', option: '--ram', isBaked: true, kind: 'text', hint: '20K',
+    tip: 'Bytes for all that the renderer keeps: less memory makes smaller strips, not another picture. 20K or 1M; max ' +
+      'is the whole picture in one strip.'
   },
-  {name: 'perspective', label: 'Textures exact every', option: '--perspective', kind: 'choice', choices: ['', '1', '8', 'affine']},
   {
-    name: 'panel',
-    label: 'Panel',
-    option: '--panel',
-    kind: 'choice',
-    choices: ['', 'st7789', 'ili9341', 'st7735', 'ssd1351', 'ssd1306', 'ssd0323']
+    name: 'size', label: 'Size', option: '--size', isBaked: true, kind: 'text', hint: '240x240',
+    tip: 'Width and height of the display in pixels, 240x240 or 320x240.'
   },
-  {name: 'rotation', label: 'Turned on the panel', option: '--rotation', kind: 'choice', choices: ['', '90', '180', '270']},
-  {name: 'board', label: 'As fast as', option: '--board', kind: 'choice', choices: ['']},
-  {name: 'frames', label: 'Frames', option: '--frames', kind: 'text', hint: '64'},
+  {
+    name: 'format', label: 'Pixels', option: '--format', isBaked: true, kind: 'choice',
+    choices: ['', 'rgb565', 'rgb565_swapped', 'rgb666', 'rgb444', 'xrgb8888', 'gray4', 'mono'],
+    tip: 'How a pixel is stored and sent: colour displays on SPI take rgb565_swapped, small OLEDs mono or gray4.'
+  },
+  {
+    name: 'dither', label: 'Dithering', option: '--dither', isBaked: true, kind: 'flag',
+    tip: 'A fine pattern hides the steps between the few colours of the display.'
+  },
+  {
+    name: 'samples', label: 'Samples a pixel', option: '--samples', isBaked: true, kind: 'choice', choices: ['', '1', '2', '4'],
+    tip: 'The mean of several samples smooths all edges; it takes time and memory as so many more pixels.'
+  },
+  {
+    name: 'edges', label: 'Smooth edges', option: '--edges', isBaked: true, kind: 'flag',
+    tip: 'Smooths the outlines of models alone, in less time than several samples. Needs one sample a pixel.'
+  },
+  {
+    name: 'background', label: 'Background', option: '--background', isBaked: true, isOfModels: true, kind: 'colour',
+    hint: '#203040', tip: 'The colour where nothing is drawn. In a scene file it is the key background of its text.'
+  },
+  {
+    name: 'light', label: 'Light from', option: '--light', isBaked: true, isOfModels: true, kind: 'choice',
+    choices: ['', '0,1,0.2', '0,0.2,1', '-1,0.5,0.5', '1,0.5,0.5', '0,0.5,-1'],
+    names: {
+      '': 'above the viewer', '0,1,0.2': 'above', '0,0.2,1': 'the viewer', '-1,0.5,0.5': 'the left',
+      '1,0.5,0.5': 'the right', '0,0.5,-1': 'behind'
+    },
+    tip: 'Where the light of a model without lights comes from. In a scene file it is the first [[light]] of its text.'
+  },
+  {
+    name: 'strip-rows', label: 'Rows of a strip', option: '--strip-rows', isBaked: true, kind: 'text', hint: 'auto', isRare: true,
+    tip: 'The picture is drawn strip by strip; auto is as many rows as fit into the memory.'
+  },
+  {
+    name: 'depth-format', label: 'Depth', option: '--depth-format', kind: 'choice', choices: ['', 'z16', 'float', 'z24'], isRare: true,
+    tip: 'How the distance of a pixel is stored: z16 is the fastest; float and z24 tell far surfaces apart.'
+  },
+  {
+    name: 'perspective', label: 'Textures exact every', option: '--perspective', kind: 'choice', choices: ['', '1', '8', '16', 'affine'],
+    isRare: true, tip: 'Pixels from one exact texel to the next, linear between them; affine: only at corners of triangles.'
+  },
+  {
+    name: 'panel', label: 'Panel', option: '--panel', kind: 'choice', isRare: true,
+    choices: ['', 'st7789', 'ili9341', 'st7735', 'ssd1351', 'ssd1306', 'ssd0323'], none: 'none: the pixels alone',
+    tip: 'The driver sends the picture to a model of this controller; it is shown as its glass would be.'
+  },
+  {
+    name: 'rotation', label: 'Turned on the panel', option: '--rotation', kind: 'choice', choices: ['', '90', '180', '270'], none: '0',
+    isRare: true, tip: 'How the panel is mounted, in degrees clockwise. Needs a panel.'
+  },
+  {
+    name: 'frames', label: 'Frames', option: '--frames', kind: 'text', hint: '64', isRare: true,
+    tip: 'Frames of the animation, or of a full turn of what does not move.'
+  },
 ];
 
 // How it is looked at, which the scene need not be read again for: `look` as zstrip_look has it.
 export const kLooks = ['colours', 'wireframe', 'depth', 'overdraw', 'accuracy'];
-export const kStartView = {look: 0, frame: 0, yaw: 0, pitch: 0, zoom: 0};
-const kStart = {scene: 'teapot', size: '240x240'};
+export const kStartView = {look: 0, slow: 0, frame: 0, yaw: 0, pitch: 0, zoom: 0};
+const kStart = {scene: 'gallery/lighthouse.toml', ram: '22K', board: 'pico'};
 
 // The file for a Pico that has the program that shows it, too, and that program's file by the board's name.
 const kBoth = 'both.uf2';
@@ -47,13 +84,21 @@ export const kPicoPrograms = {pico: 'zstrip_pico_player.uf2', pico2: 'zstrip_pic
 
 const isDigitsOf = (value) => /^-?[0-9]+(\.[0-9]+)?$/.test(value);
 
+// As the command knows scenes by their names.
+export const isText = (scene) => /\.toml$/i.test(scene);
+export const isModel = (scene) => scene.includes('.') && !/\.(toml|zsc)$/i.test(scene);
+
 // The options of `zstrip view`; with `command` 'bake' those that `zstrip bake` has.
 export function optionsOf(settings, command = 'view') {
   const options = [];
-  for (const {name, option, kind, isBaked} of kSettings) {
-    if (!settings[name] || (command === 'bake' && !isBaked)) continue;
-    options.push(option);
-    if (kind !== 'flag') options.push(settings[name]);
+  for (const {name, option, kind, isBaked, isOfModels} of kSettings) {
+    const value = settings[name];
+    if (!value || (command === 'bake' && !isBaked) || (isOfModels && !isModel(settings.scene))) continue;
+    if (kind === 'flag') {
+      options.push(value === 'no' ? option.replace('--', '--no-') : option);
+    } else {
+      options.push(option, value);
+    }
   }
   return options;
 }
@@ -68,29 +113,34 @@ export function bakeWordsOf(settings, name, pico = 'pico') {
   return [...words, ...optionsOf({...settings, size: '', format: '', ram: '', 'strip-rows': ''}, 'bake')];
 }
 
+// The words after `zstrip` that write all frames as one picture that moves.
+export const turnWordsOf = (settings, name, frames) =>
+  ['render', settings.scene, '-o', name, ...optionsOf({...settings, board: '', frames: String(frames)})];
+
 // For a shell.
 export function commandLineOf(words) {
   return ['zstrip', ...words].map((word) => (/^[\w.,:=+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(' ');
 }
 
-// Returns the part of a link after its #; settings and view that are as at the start are left out.
-export function linkOf(settings, view) {
+// Returns the part of a link after its #. `view.frame` undefined: the frames play. `files`: packed, or undefined.
+export function linkOf(settings, view, files) {
   const pairs = [['scene', settings.scene ?? '']];
   for (const {name} of kSettings) {
-    if ((settings[name] ?? '') !== (kStart[name] ?? '')) pairs.push([name, settings[name] ?? '']);
+    if (settings[name]) pairs.push([name, settings[name]]);
   }
   for (const [name, start] of Object.entries(kStartView)) {
-    if (view[name] !== start) pairs.push([name, String(Math.round(view[name] * 100) / 100)]);
+    if (view[name] === undefined || (view[name] === start && name !== 'frame')) continue;
+    pairs.push([name, String(Math.round(view[name] * 100) / 100)]);
   }
+  if (files) pairs.push(['files', files]);
   return '#' + new URLSearchParams(pairs);
 }
 
-// Whatever a link has that is not known is left out; the command judges values.
+// Whatever a link has that is not known is left out; the command judges values. A link without a scene opens the first.
 export function settingsOf(link) {
   const given = new URLSearchParams(link.replace(/^#/, ''));
-  const settings = {...kStart};
+  const settings = given.get('scene') ? {scene: given.get('scene')} : {...kStart};
   const view = {...kStartView};
-  if (given.get('scene')) settings.scene = given.get('scene');
   for (const {name} of kSettings) {
     if (given.has(name)) settings[name] = given.get(name);
   }
@@ -100,5 +150,5 @@ export function settingsOf(link) {
   }
   if (!(view.look in kLooks)) view.look = 0;
   view.frame = Math.max(0, Math.floor(view.frame));
-  return {settings, view};
+  return {settings, view, plays: !given.has('frame'), files: given.get('files') ?? undefined};
 }
