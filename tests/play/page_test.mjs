@@ -409,6 +409,9 @@ test('the page opens on the lighthouse, which plays in 22 KB, and the picture st
   assert.equal(await shownLabel('board'), 'Raspberry Pi Pico');
   assert.match(await text('#headline'), /2[012] KB of RAM.*frames\/s.*on Raspberry Pi Pico/s);
   assert.ok(!(await browser.evaluate('location.hash')).includes('frame='));
+  await browser.click('#whole');
+  await browser.until(`document.fullscreenElement?.id === 'stage'`, kPatience, 'the picture does not fill the screen');
+  await browser.evaluate('document.exitFullscreen()');
   for (const width of kWidths) {
     await resize(width);
     const {top, bottom, height} = await browser.evaluate(`(() => {
@@ -428,6 +431,8 @@ test('the page is legible in three widths', async () => {
     const unnamed = await browser.evaluate(`[...document.querySelectorAll('input, select, button')].filter(
       (each) => !(each.labels?.length || each.textContent || each.ariaLabel)).map((each) => each.id)`);
     assert.deepEqual(unnamed, [], 'a control has no label');
+    const unexplained = `[...document.querySelectorAll('.setting')].filter((row) => !row.querySelector('.tip')?.textContent).length`;
+    assert.equal(await browser.evaluate(unexplained), 0, 'a setting has no explanation');
   }
   await screenshots('page');
 });
