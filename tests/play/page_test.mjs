@@ -334,6 +334,23 @@ test('dropped files are drawn, with those beside them', async () => {
   assert.match(await text('#link-files'), /^The link has 3 files in it/);
 });
 
+test('the page writes a scene file for a dropped model', async () => {
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  await browser.click('#begin');
+  await drawn();
+  assert.match(await text('#status'), /160x120, frame 1 of 1/);
+  assert.match(await textOfScene(), /^file = "floor.obj"$/m);
+  assert.match(await text('#link-files'), /^The link has 4 files in it/);
+  const file = join(ZSTRIP_PAGE, 'examples/models/written.toml');
+  writeFileSync(file, await textOfScene());
+  await shows('models/written.toml', ['--size', '160x120']);
+  rmSync(file);
+  const models = join(ZSTRIP_PAGE, 'examples/models');
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  await browser.drop('#drop', ['floor.obj', 'floor.mtl', 'tiles.png'].map((name) => join(models, name)));
+  await drawn();
+});
+
 test('each kind of file that is read is named where files are dropped', async () => {
   const {kScenes} = await import(join(ZSTRIP_PAGE, 'files.mjs'));
   for (const ending of kScenes) assert.ok((await text('#drop')).includes(ending), ending);

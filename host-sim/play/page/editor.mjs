@@ -4,9 +4,11 @@ const kQuiet = 200;  // milliseconds without a key, until the text is taken
 const element = (id) => document.getElementById(id);
 let waiting = 0;
 
-/** `undefined`: the scene has no text. */
-export function showText(text, isEdited) {
-  element('scene-file').hidden = text === undefined;
+/** `text` undefined: the scene has none; `canBegin`: it can get one. */
+export function showText(text, isEdited, canBegin) {
+  element('scene-file').hidden = text === undefined && !canBegin;
+  element('begin').hidden = !canBegin;
+  element('editor').hidden = text === undefined;
   element('original').hidden = !isEdited;
   const area = element('text');
   if (text !== undefined && area.value !== text) {
@@ -27,11 +29,12 @@ export function markError(error) {
   area.style.setProperty('--wrong-row', error?.line ?? 0);
 }
 
-/** `edited` and `restored` are called without arguments. */
-export function listenToText(edited, restored) {
+/** All are called without arguments. */
+export function listenToText(edited, restored, begun) {
   element('text').addEventListener('input', () => {
     clearTimeout(waiting);
     waiting = setTimeout(edited, kQuiet);
   });
   element('original').addEventListener('click', restored);
+  element('begin').addEventListener('click', begun);
 }

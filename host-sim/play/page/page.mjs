@@ -6,10 +6,10 @@ import {clearFigures, showFigures} from './figures.mjs';
 import {chosenFiles, droppedFiles, kScenes, sceneAmong} from './files.mjs';
 import {kMaxPacked, pack, unpack} from './packed_files.mjs';
 import {clearPicture, hasArrived, showPicture} from './picture.mjs';
-import {addOwn, fetchExample, forgetEdits, isEdited, ownFilesOf, setExamples, textOf} from './scene_files.mjs';
-import {backgroundOf, lineOfError, withBackground, withLight} from './scene_text.mjs';
+import {addOwn, fetchExample, forgetEdits, isEdited, isOwn, ownFilesOf, setExamples, textOf} from './scene_files.mjs';
+import {backgroundOf, lineOfError, sceneFileOf, withBackground, withLight} from './scene_text.mjs';
 import {
-  bakeWordsOf, commandLineOf, isText, kPicoPrograms, kStartView, linkOf, optionsOf, settingsOf
+  bakeWordsOf, commandLineOf, isModel, isText, kPicoPrograms, kStartView, linkOf, optionsOf, settingsOf
 } from './settings.mjs';
 import {makeSettings, showRefused, showSettings} from './settings_form.mjs';
 import {listenToSteering} from './steering.mjs';
@@ -232,6 +232,13 @@ async function edit(text) {
   packOwn();
 }
 
+// A scene file for a model of the user.
+async function begin() {
+  const path = settings.scene.replace(/\.[^.]*$/, '.toml');
+  await addOwn([{path, bytes: new TextEncoder().encode(sceneFileOf(settings.scene))}], false);
+  choose(path);
+}
+
 async function restore() {
   await forgetEdits(settings.scene);
   showControls();
@@ -244,7 +251,7 @@ function showControls() {
   const text = isText(settings.scene) ? textOf(settings.scene) : undefined;
   showChosen(settings.scene);
   showSettings(settings, opened, text && backgroundOf(text));
-  showText(text, isEdited(settings.scene));
+  showText(text, isEdited(settings.scene), isModel(settings.scene) && isOwn(settings.scene));
   element('look').value = view.look;
   element('slow').checked = view.slow;
   element('frame-number').value = view.frame;
@@ -299,7 +306,7 @@ function zoom(steps) {
 // ---- controls ----
 function listen() {
   listenToSteering(turn, zoom);
-  listenToText(() => edit(shownText()), restore);
+  listenToText(() => edit(shownText()), restore, begin);
   for (const form of document.forms) form.addEventListener('submit', (event) => event.preventDefault());
   element('frame-number').addEventListener('input', ({target}) => {
     setPlaying(false);

@@ -36,6 +36,7 @@ export async function addOwn(added, replaces = true) {
   await add(added);
 }
 
+export const isOwn = (scene) => own.has(scene);
 export const isEdited = (scene) => isExample(scene) && own.has(scene);
 
 export async function forgetEdits(scene) {

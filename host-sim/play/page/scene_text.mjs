@@ -39,6 +39,23 @@ export function withLight(text, from) {
   return tables.join('');
 }
 
+/** A scene file beside the model of this path, with the light and the background that a model has alone. */
+export const sceneFileOf = (path) => `# ${JSON.stringify(path).slice(1, -1)}, seen from the front; a [camera] shows it from elsewhere.
+background = "#ced3d6"
+ambient = [104, 104, 104]
+
+[[light]]
+direction = [-0.1, -0.8, -0.6]
+colour = "#979797"
+
+[[model]]
+name = "model"
+file = ${JSON.stringify(path.split('/').at(-1))}
+
+[[instance]]
+model = "model"
+`;
+
 /** {line, words} of a message about the file of this path; undefined if it names no line of it. */
 export function lineOfError(message, path) {
   const [, file, line, words] = /^'([^']*)' line (\d+): ([^]*)$/.exec(message) ?? [];
