@@ -47,7 +47,8 @@ struct BakedScene {
   BspTree tree{};  ///< for method::bsp
   Turn turn{};
   BakedSkins skins{};
-  std::string unclipped_where{};  ///< with effect::unclipped: the poses that were checked, as text
+  std::size_t edges_left_out = 0;  ///< by ShownEdges
+  std::string unclipped_where{};   ///< with effect::unclipped: the poses that were checked, as text
 };
 
 }  // namespace zstrip::sim

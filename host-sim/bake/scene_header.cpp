@@ -120,6 +120,9 @@ class Header {
       line("// their transforms, and begin the frame with a copy of kScene whose `instances` are your copy.");
     }
     if (is_unclipped()) line("// Only the baked motion is known to need no clipping: see kEffects.");
+    if (baked_.edges_left_out != 0) {
+      line("// Edges that the baked motion never shows are not here: --clipping on keeps them.");
+    }
     if (!baked_.tree.nodes.empty()) {
       line(fmt::format("// Before begin_frame: renderer.set_visibility({{.tree = &{}::kTree}});", name_space));
     }

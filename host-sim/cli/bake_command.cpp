@@ -22,6 +22,7 @@
 #include "bake/program_text.hpp"
 #include "bake/scene_blob.hpp"
 #include "bake/scene_header.hpp"
+#include "bake/shown_edges.hpp"
 #include "bake/unmoved_scene.hpp"
 #include "cli/camera_arguments.hpp"
 #include "cli/one_of.hpp"
@@ -204,6 +205,17 @@ ClippingRecord choose_clipping(const Arguments& arguments, BakedScene& baked) {
   return clipping;
 }
 
+/// Returns the edges that the motion shows, for a header; nothing if all edges stay.
+std::unique_ptr<ShownEdges> choose_edges(Kind kind, const Arguments& arguments, const Staging& at_rest,
+                                         const Animation& animation, const Turn& turn, const BakedSkins& skins,
+                                         const View& view) {
+  const bool moves_as_baked = !animation.tracks.empty() || (arguments.turntable && turn.what != Turning::nothing);
+  if (!is_source(kind) || arguments.clipping == "on" || !moves_as_baked || at_rest.scene.edges.empty()) return nullptr;
+  std::vector<std::size_t> bent;
+  for (const ModelSkin& skin : skins.meshes) bent.push_back(skin.mesh);
+  return std::make_unique<ShownEdges>(scenes::AtRest{at_rest.scene, at_rest.camera, animation, turn}, view, bent);
+}
+
 BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedScene& baked) {
   const Model* model = stage.model();
   // Split triangles have their own material.
@@ -220,7 +232,8 @@ BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedS
                     .strip_buffers = baked.budget.strip_buffers,
                     .lent_bytes = {},
                     .warnings = stage.warnings(),
-                    .skin_ram = skin_ram(baked.skins)};
+                    .skin_ram = skin_ram(baked.skins),
+                    .edges_left_out = baked.edges_left_out};
   if (model != nullptr) record.accuracy = model->accuracy;
   return record;
 }
@@ -415,9 +428,13 @@ Result<Done> run(const Arguments& arguments) {
       return Failure{request.failure().status, fmt::format("'{}' {}", arguments.scene, request.failure().message)};
     }
   }
+  const std::unique_ptr<ShownEdges> shown =
+      choose_edges(*kind, arguments, at_rest, (*stage)->animation(), *turn, skins, request->view);
+  if (shown) at_rest.scene.edges = shown->sets();
   *request = with_enough_ram(at_rest, *request);
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
+  if (shown) baked->edges_left_out = shown->left_out();
   if (*kind == Kind::sketch || *kind == Kind::program) {
     const Result<Done> drawn = *kind == Kind::sketch ? check_for_sketch(*baked, arguments.name_space)
                                                      : check_for_program(*baked, arguments.name_space);
@@ -506,8 +523,9 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       ->transform(one_of({"auto", "on", "off"}));
   command
       ->add_option("--clipping", a.clipping,
-                   "Code that clips triangles: auto, none in a header whose motion, a turn with --turntable or its "
-                   "animation, never needs it (default); on, for programs that move camera or instances otherwise")
+                   "Code that clips triangles, and edges for --edges: auto, none in a header whose motion, a turn with "
+                   "--turntable or its animation, never needs them (default); on, for programs that move camera or "
+                   "instances otherwise")
       ->option_text("CHOICE")
       ->transform(one_of({"auto", "on"}));
   add_pico_options(*command, a.pico);

@@ -48,7 +48,8 @@ std::string flash_lines(const BakeRecord& record) {
   add(flash.texcoords, "texture coordinates", known ? off_words(accuracy.texcoord, "texels") : "");
   add(flash.triangles, "triangles", "");
   add(flash.meshlets, "meshlets", "");
-  add(flash.edges, "edges that are anti-aliased", "");
+  add(flash.edges, "edges that are anti-aliased",
+      record.edges_left_out == 0 ? "" : grouped(record.edges_left_out) + " that the motion never shows are left out");
   add(flash.texels, record.palettes.empty() ? "textures, RGB565" : "textures",
       known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
   add(flash.joints, "joints, and what each moves of a vertex", "");
@@ -180,6 +181,7 @@ std::string bake_json(const BakeRecord& record) {
                    {"tree", flash.tree},
                    {"tables", flash.tables},
                    {"total", flash.total()}}}};
+  object["edges_left_out"] = record.edges_left_out;
   object["accuracy"] = nullptr;
   if (const auto& accuracy = record.accuracy) {
     object["accuracy"] = {{"size", accuracy->size},

@@ -53,6 +53,7 @@ struct BakeRecord {
   std::vector<MipmapRecord> mipmaps{};
   std::uint64_t palettes_would_save = 0;     ///< bytes of texels, without loss
   std::optional<ClippingRecord> clipping{};  ///< of a header
+  std::size_t edges_left_out = 0;            ///< that its motion never shows
 };
 
 /// For a person.

@@ -53,6 +53,23 @@ TEST_F(BakeClipping, StaysWhereSomethingComesTooNear) {
       << words.out;
 }
 
+/// The header of `edges` draws the pixels of all edges (BakedHeader).
+TEST_F(BakeClipping, EdgesThatTheMotionNeverShowsTakeNoFlash) {
+  const auto edges = [&](const std::string& output, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"bake", kHouseModel, "-o", output, "--edges"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Json baked = report(arguments);
+    return std::pair<int, int>{baked.at("flash_bytes").at("edges"), baked.at("edges_left_out")};
+  };
+  const auto [kept, left_out] = edges("scene.hpp", {"--turntable"});
+  EXPECT_GT(left_out, 0);
+  EXPECT_NE(read(path("scene.hpp")).find("--clipping on keeps them"), std::string::npos);
+  const std::pair all{kept + 8 * left_out, 0};
+  EXPECT_EQ(edges("scene.hpp", {"--turntable", "--clipping", "on"}), all) << "the program moves otherwise";
+  EXPECT_EQ(edges("scene.hpp", {}), all) << "it is not known how the scene moves";
+  EXPECT_EQ(edges("scene.zsc", {"--turntable"}), all) << "a blob is shown from anywhere";
+}
+
 TEST_F(BakeClipping, StaysWhereItIsAskedForOrNothingIsKnown) {
   EXPECT_EQ(why(kHouseModel, {"--turntable", "--clipping", "on"}), "--clipping on");
   EXPECT_EQ(why(kHouseModel, {}), "without --turntable it is not known how the scene moves");
