@@ -438,6 +438,14 @@ test('the page opens on the lighthouse, which plays in 22 KB, and the picture st
     })()`);
     assert.ok(top >= 0 && bottom <= height, `${width}: the picture is at ${top} to ${bottom}`);
   }
+  // What went wrong with a file stays said while frames pass.
+  await choose('perspective.toml');
+  await browser.click('[data-file="scene.uf2"]');
+  const said = `/leave 'perspective' out of the scene file/.test(document.getElementById('saved').textContent)`;
+  await browser.until(said, kPatience, 'why there is no file is not said');
+  const now = await browser.evaluate(`document.getElementById('frame-number').value`);
+  await browser.until(`document.getElementById('frame-number').value !== '${now}'`, kPatience, 'it does not play');
+  assert.ok(await browser.evaluate(said));
   await browser.click('#play');
 });
 

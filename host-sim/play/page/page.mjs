@@ -211,6 +211,7 @@ async function addFiles(reading) {
     await addOwn(files);
     choose(scene);
   } catch (error) {
+    setPlaying(false);  // the next frame would have other words
     fail(error);
   }
 }
@@ -349,14 +350,20 @@ function listen() {
   window.addEventListener('hashchange', () => openLink().catch(fail));
 }
 
+// In words of its own: those of the picture change with each frame.
+function sayOfFile(words, isWrong = false) {
+  element('saved').textContent = inWordsOfPage(words);
+  element('saved').classList.toggle('failed', isWrong);
+}
+
 async function download(name) {
   try {
-    say(`${name}: being made …`);
+    sayOfFile(`${name}: being made …`);
     const {bytes, messages} = await fileOf(name, settings, opened.frames, element('pico').value);
     save(bytes, name);
-    say(`${name}: ${bytes.length.toLocaleString('en')} bytes`, messages);
+    sayOfFile([`${name}: ${bytes.length.toLocaleString('en')} bytes`, ...messages].join('; '));
   } catch (error) {
-    fail(error);
+    sayOfFile(error.message, true);
   }
 }
 
