@@ -84,8 +84,9 @@ std::string rate_in_digits(double rate, int digits) {
 
 std::string BoardRate::words() const {
   if (!fits()) return fmt::format("needs {} KB", (needed_ram + 1023) / 1024);
-  return least < most ? fmt::format("{} to {}", rate_in_digits(least, 2), rate_in_digits(most, 2))
-                      : rate_in_digits(most, 3);
+  if (least == most) return rate_in_digits(most, 3);
+  const std::string low = rate_in_digits(least, 2), high = rate_in_digits(most, 2);
+  return low == high ? low : fmt::format("{} to {}", low, high);
 }
 
 Result<Viewer> Viewer::open(const ViewRequest& request) {

@@ -225,13 +225,14 @@ TEST(ViewText, ABoardThatThePlanDoesNotFitSaysWhatItNeeds) {
   EXPECT_TRUE(drawn("pico", nullptr).ends_with("/s")) << drawn("pico", nullptr);
 }
 
-TEST(ViewText, RatesHaveNoExponent) {
+TEST(ViewText, RatesHaveNoExponentAndNoRangeOfOneNumber) {
   const auto words = [](double least, double most) {
     return BoardRate{.board = "a board", .least = least, .most = most}.words();
   };
   EXPECT_EQ(words(86, 157), "86 to 157");
   EXPECT_EQ(words(0.917, 2.06), "0.92 to 2.1");
   EXPECT_EQ(words(99.7, 150), "100 to 150");
+  EXPECT_EQ(words(25.9, 26.2), "26");
   EXPECT_EQ(words(2.917, 2.917), "2.92");
   EXPECT_EQ(words(999.7, 999.7), "1000");
 }
