@@ -233,13 +233,14 @@ test('the link holds settings and view', async () => {
   await browser.call('Page.reload');
   await drawn();
   assert.match(await text('#status'), /160x120, frame 9 of/);
+  await browser.until(`location.hash.includes('frame=8')`, kPatience, 'the link has no frame');
   const link = await browser.evaluate('location.hash');
   const before = await canvas();
   await browser.drag('#canvas', 40, 0);
   await browser.until(`location.hash.includes('yaw=46')`, kPatience, 'the drag turns nothing');
+  await drawn();
   assert.notDeepEqual((await canvas()).rgb, before.rgb);
-  await browser.evaluate(`location.hash = ${JSON.stringify(link)}`);
-  await browser.until(`location.hash.includes('yaw=30')`, kPatience, 'the link is not taken');
+  await browser.evaluate(`document.body.dataset.state = 'asked', location.hash = ${JSON.stringify(link)}`);
   await drawn();
   assert.ok((await canvas()).rgb.equals(before.rgb));
 });
@@ -284,7 +285,10 @@ test('the text of a scene is drawn while it is edited, and what is wrong is said
   writeFileSync(file, await textOfScene());
   await shows('gallery/edited.toml', ['--size', '160x120']);
   // A link brings the text to another page.
-  await browser.until(`location.hash.includes('files=')`, kPatience, 'the text is not in the link');
+  await browser.until(`new Promise((resolve) => {
+    const {hash} = location;  // at rest
+    setTimeout(() => resolve(hash.includes('files=') && location.hash === hash), 1000);
+  })`, kPatience, 'the text is not in the link');
   const shown = await canvas();
   await browser.evaluate(`document.body.dataset.state = 'old'`);
   await browser.call('Page.reload');
@@ -295,7 +299,7 @@ test('the text of a scene is drawn while it is edited, and what is wrong is said
   await browser.click('#original');
   await drawn();
   assert.equal(await textOfScene(), original);
-  assert.doesNotMatch(await browser.evaluate('location.hash'), /files=/);
+  await browser.until(`!location.hash.includes('files=')`, kPatience, 'the link has the text that is gone');
   rmSync(file);
   await set('frames', '');
   await drawn();
@@ -331,7 +335,8 @@ test('dropped files are drawn, with those beside them', async () => {
   await browser.click('#reset-background');
   await set('light', '');
   await drawn();
-  assert.match(await text('#link-files'), /^The link has 3 files in it/);
+  await browser.until(`document.getElementById('link-files').textContent.startsWith('The link has 3 files in it')`, kPatience,
+    'the link has not the files');
 });
 
 test('the page writes a scene file for a dropped model', async () => {
@@ -340,7 +345,8 @@ test('the page writes a scene file for a dropped model', async () => {
   await drawn();
   assert.match(await text('#status'), /160x120, frame 1 of 1/);
   assert.match(await textOfScene(), /^file = "floor.obj"$/m);
-  assert.match(await text('#link-files'), /^The link has 4 files in it/);
+  await browser.until(`document.getElementById('link-files').textContent.startsWith('The link has 4 files in it')`, kPatience,
+    'the link has not the files');
   const file = join(ZSTRIP_PAGE, 'examples/models/written.toml');
   writeFileSync(file, await textOfScene());
   await shows('models/written.toml', ['--size', '160x120']);
@@ -425,7 +431,8 @@ test('the page opens on the lighthouse, which plays in 22 KB, and the picture st
   await browser.until(`document.getElementById('frame-number').value !== '${frame}'`, kPatience, 'it does not play');
   assert.equal(await shownLabel('board'), 'Raspberry Pi Pico');
   assert.match(await text('#headline'), /2[012] KB of RAM.*frames\/s.*on Raspberry Pi Pico/s);
-  assert.ok(!(await browser.evaluate('location.hash')).includes('frame='));
+  await browser.until(`location.hash.includes('board=pico')`, kPatience, 'the link has no board');
+  assert.doesNotMatch(await browser.evaluate('location.hash'), /frame=/);
   await browser.click('#whole');
   await browser.until(`document.fullscreenElement?.id === 'stage'`, kPatience, 'the picture does not fill the screen');
   await browser.evaluate('document.exitFullscreen()');

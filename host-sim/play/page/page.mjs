@@ -16,6 +16,7 @@ import {listenToSteering} from './steering.mjs';
 import {makeThumbnails, showChosen} from './thumbnails.mjs';
 import {inWordsOfPage, settingOf} from './words.mjs';
 
+const kLinkPause = 400;  // milliseconds
 const kInternalError = 1, kTooLittleMemory = 5;  // exit statuses of the command
 
 // A mark on the page's time line.
@@ -178,9 +179,15 @@ function tell() {
 }
 
 // ---- the link ----
+// Browsers refuse more than some changes of the address a second.
+let linking = 0;
 function showLink() {
-  if (playing && isOpen && element('link').dataset.of === linkOfPage()) return;  // browsers allow few changes a second
-  element('link').dataset.of = linkOfPage();
+  linking ||= setTimeout(putLink, kLinkPause);
+}
+
+function putLink() {
+  clearTimeout(linking);
+  linking = 0;
   history.replaceState(null, '', linkOfPage());
   element('link').value = location.href;
   element('link-files').textContent = packed.words ?? '';
@@ -338,7 +345,10 @@ function listen() {
   element('whole').addEventListener('click', () =>
     document.fullscreenElement ? document.exitFullscreen() : element('stage').requestFullscreen());
   element('files').addEventListener('change', ({target}) => addFiles(chosenFiles(target)));
-  element('copy').addEventListener('click', () => navigator.clipboard.writeText(location.href));
+  element('copy').addEventListener('click', () => {
+    putLink();
+    navigator.clipboard.writeText(location.href);
+  });
   for (const name of ['dragover', 'dragleave', 'drop']) {
     document.addEventListener(name, (event) => {
       event.preventDefault();
@@ -347,7 +357,7 @@ function listen() {
   }
   document.addEventListener('drop', ({dataTransfer}) => addFiles(droppedFiles(dataTransfer)));
   document.addEventListener('click', ({target}) => target.dataset?.file && download(target.dataset.file));
-  window.addEventListener('hashchange', () => openLink().catch(fail));
+  window.addEventListener('hashchange', ({newURL}) => openLink(new URL(newURL).hash).catch(fail));
 }
 
 // In words of its own: those of the picture change with each frame.
@@ -375,8 +385,8 @@ function showPico() {
   element('pico-program').textContent = kPicoPrograms[board];
 }
 
-async function openLink() {
-  const {plays, files, ...link} = settingsOf(location.hash);
+async function openLink(hash) {
+  const {plays, files, ...link} = settingsOf(hash);
   ({settings, view} = link);
   setPlaying(plays && !matchMedia('(prefers-reduced-motion: reduce)').matches);
   if (files) await addOwn(await unpack(files));
@@ -395,7 +405,7 @@ async function start() {
   const fetchThumbnails = makeThumbnails(contents.examples, choose);
   makeSettings(change);
   listen();
-  await openLink();
+  await openLink(location.hash);
   fetchThumbnails();
 }
 start().catch(fail);
