@@ -13,6 +13,7 @@ const kTypes = {
   '.css': 'text/css',
   '.mjs': 'text/javascript',
   '.json': 'application/json',
+  '.png': 'image/png',
   '.wasm': 'application/wasm',
 };
 // A name that leads here by the DNS of others is refused. The port may be that of a tunnel.
