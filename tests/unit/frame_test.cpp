@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include <algorithm>
+#include <random>
 #include <vector>
 
 #include "depth_picture.hpp"
@@ -395,6 +396,57 @@ TEST(Frame, TheGuardBandHoldsCloseToTheCamera) {
     }
   }
   EXPECT_GT(corners, 20);
+}
+
+// Triangles around and behind the camera, in one that sees wide and in one that sees far.
+TEST(Frame, ATriangleIsLeftOutOnlyOfRowsWhereItHasNoPixel) {
+  using namespace zstrip::detail;
+  std::mt19937 random(7);
+  const auto between = [&random](int least, int most) {
+    return std::uniform_int_distribution<int>(least, most)(random);
+  };
+  const View view{320, 240};
+  int left_out = 0, drawn = 0;
+  for (int round = 0; round < 400; ++round) {
+    Position corners[3];
+    const int reach = 1 << between(2, 14);
+    for (Position& corner : corners) {
+      corner.x = static_cast<std::int16_t>(between(-reach, reach));
+      corner.y = static_cast<std::int16_t>(between(-reach, reach));
+      corner.z = static_cast<std::int16_t>(between(-reach, reach));
+    }
+    const Triangle triangle{0, 1, 2};
+    Mesh mesh;
+    mesh.half_extent = {kFixedOne, kFixedOne, kFixedOne};
+    mesh.positions = corners;
+    mesh.triangles = {&triangle, 1};
+    const Material material{.double_sided = true};
+    Instance instance;
+    Scene scene;
+    scene.meshes = {&mesh, 1};
+    scene.materials = {&material, 1};
+    scene.instances = {&instance, 1};
+    Camera camera;
+    camera.eye = {0, between(-20000, 20000), between(0, 60000)};
+    camera.near_plane = 1 << between(0, 12);
+    camera.focal = 1 << between(14, 26);
+    CompiledInstance compiled{};
+    const DepthFit fit = fit_to(reach_of(scene, camera), camera);
+    if (!compile_instance(compiled, scene, instance, camera, view, fit)) continue;
+    const Batch batch{.instance = &compiled, .mesh = &mesh, .origin = raster_origin(view, fit, false)};
+    RasterPolygon polygon;
+    const bool shown = TriangleClipper<effect::two_sided>::clip(batch, triangle, polygon);
+    for (std::int32_t top = -120; top < 120; top += 8) {
+      const Rect rows{-160, top, 160, top + 8};
+      const bool touches = shown && polygon.box().touches({-(1 << 22), rows.top, 1 << 22, rows.bottom});
+      const bool misses = TriangleClipper<effect::two_sided>::misses_rows(batch, triangle, rows);
+      ASSERT_FALSE(touches && misses) << round << ' ' << top;
+      left_out += misses ? 1 : 0;
+      drawn += touches ? 1 : 0;
+    }
+  }
+  EXPECT_GT(left_out, 1000);
+  EXPECT_GT(drawn, 1000);
 }
 
 }  // namespace

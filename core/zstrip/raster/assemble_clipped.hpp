@@ -124,6 +124,7 @@ struct ClippedAssembler {
 
   template <Shade shade>
   [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
+    if (ClipperFor<effects>::misses_rows(batch, triangle, target.area)) return;
     RasterPolygon polygon;
     if (!clip<shade>(batch, triangle, polygon)) return;
     const Rect box = polygon.box();

@@ -71,6 +71,34 @@ struct TriangleClipper {
     return finish(batch, clipped, polygon);
   }
 
+  /// True if the clipped polygon has no pixel in these rows, for a small part of what clipping takes. Sometimes false
+  /// although it has none.
+  [[gnu::noinline]] static bool misses_rows(const Batch& batch, const Triangle& triangle, const Rect& rows) {
+    if constexpr (kOrthographic) return false;
+    const CompiledInstance& instance = *batch.instance;
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(instance)) return false;  // its vertices move after the projection
+    }
+    // A visible point is at y / w * 2^exponent. It is above a row if y * 2^exponent - row * w < 0, a linear form, which
+    // is negative on all of the triangle if it is at its vertices. Clipping moves y and w by less than 32 units of
+    // kClipBits, and w at a plane of depth by less than 1; projection moves a point by less than a pixel.
+    const int exponent = 30 - instance.shift_y;  // >= -1
+    constexpr std::int32_t kPixel = 16;
+    const std::int64_t top = rows.top * 16 - batch.origin.bias_y - kPixel;
+    const std::int64_t bottom = rows.bottom * 16 - batch.origin.bias_y + kPixel;
+    const std::int64_t moved = (std::int64_t{1} << std::max(0, exponent - 11)) + (1 << 16);  // rows are < 2^16
+    bool above = true, below = true;
+    for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) {
+      const Position& p = batch.mesh->positions[index];
+      const std::int64_t w = instance.w.at(p);
+      std::int64_t y = instance.y.at(p);
+      y = exponent < 0 ? y >> 1 : y << exponent;
+      above = above && y - top * w < -moved;
+      below = below && y - bottom * w > moved;
+    }
+    return above || below;
+  }
+
   /// Returns the distance along the viewing direction, in the instance's own scale.
   static std::int32_t distance_of(const Batch& batch, std::uint32_t index) {
     if constexpr (effects.has(effect::outlines)) {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/effects/skins/seen_faces.hpp"
 #include "zstrip/stages/geometry_stage.hpp"
+#include "zstrip/stages/seen_faces.hpp"
 #include "zstrip/visibility/method_stage.hpp"
 #include "zstrip/visibility/traits.hpp"
 
@@ -56,8 +56,8 @@ struct RasterStage {
       const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
       const auto batch = GeometryStage::batch_for<effects>(frame, instance, range.first_vertex, 0);
       const bool all_narrow = GeometryStage::transform<effects>(frame, batch, range, 0);
-      if constexpr (skins::lights_seen_vertices(effects)) {
-        if (skins::lights_seen_vertices<effects>(batch, range, all_narrow)) {
+      if constexpr (lights_seen_vertices(effects)) {
+        if (lights_seen_vertices<effects>(batch, range, all_narrow)) {
           return draw_seen_faces<effects>(frame, target, batch, range);
         }
       }
@@ -78,7 +78,7 @@ struct RasterStage {
   static void draw_seen_faces(FrameState& frame, const StripTarget& target, const BatchOf<effects>& batch,
                               const MeshletRange& range) {
     Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
-      skins::for_seen_faces<effects>(
+      for_seen_faces<effects>(
           batch, range, complete.area,
           [&](std::uint32_t place, std::uint32_t count) {
             GeometryStage::shade<effects>(frame, batch, {range.first_vertex + place, count, {}}, place);

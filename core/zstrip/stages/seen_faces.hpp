@@ -1,5 +1,5 @@
-// Lights only the vertices of the front faces of a skin's meshlet that a strip shows: moving a normal with its joints
-// takes two roots and a division, and on average a strip shows less than half of a meshlet's vertices.
+// Lights only the vertices of front faces that a strip shows: on average these are less than half of a meshlet's, and
+// light takes more than the rest of a vertex.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,11 @@
 #include "zstrip/raster/facing.hpp"
 #include "zstrip/raster/target.hpp"
 
-namespace zstrip::detail::skins {
+namespace zstrip::detail {
 
 /// True if only light reads the normals of vertices.
 constexpr bool lights_seen_vertices(Effects effects) {
-  return effects.has(effect::skins) && has_vertex_colours(effects) &&
-         !effects.any(effect::outlines | effect::pixel_shading | effect::environment);
+  return has_vertex_colours(effects) && !effects.any(effect::outlines | effect::pixel_shading);
 }
 
 /// Meshlets with more vertices, or with more triangles than lists can number, are lit as a whole; so are meshlets that
@@ -27,9 +26,11 @@ constexpr bool lights_seen_vertices(Effects effects) {
 inline constexpr std::uint32_t kMaxSeenVertices = 256;
 
 template <Effects effects>
-bool lights_seen_vertices(const Batch& batch, const MeshletRange& range, bool all_narrow) {
-  return (all_narrow || AssemblerFor<effects>::kUnclipped) && batch.instance->lit && batch.mesh->skinning != nullptr &&
-         range.vertex_count <= kMaxSeenVertices && range.triangles.size() <= kMaxListedTriangles;
+bool lights_seen_vertices(const BatchOf<effects>& batch, const MeshletRange& range, bool all_narrow) {
+  bool shaded = batch.instance->lit;
+  if constexpr (effects.has(effect::environment)) shaded = shaded || batch.reflections != nullptr;
+  return (all_narrow || AssemblerFor<effects>::kUnclipped) && shaded && range.vertex_count <= kMaxSeenVertices &&
+         range.triangles.size() <= kMaxListedTriangles;
 }
 
 /// The vertices of a meshlet that are lit, and those that still have to be.
@@ -88,4 +89,4 @@ void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, co
   if (count != 0) draw_listed();
 }
 
-}  // namespace zstrip::detail::skins
+}  // namespace zstrip::detail
