@@ -77,6 +77,10 @@ ClipVertex crossing(const ClipVertex& inner, const ClipVertex& outer, std::int64
 /// the vertices that are still to be read.
 void clip_against(ClipPolygon& polygon, const Plane& plane) {
   if (polygon.count == 0) return;
+  // Most planes cut nothing, and then nothing is copied.
+  std::int64_t least = 0;
+  for (int i = 0; i < polygon.count; ++i) least = std::min(least, plane.at(polygon.vertices[i]));
+  if (least == 0) return;
   ClipVertex* const end = std::end(polygon.vertices) - 1;
   ClipVertex* a = end;
   for (int i = polygon.count; i-- > 0;) *--a = polygon.vertices[i];

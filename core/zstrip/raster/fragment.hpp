@@ -1,37 +1,26 @@
-// The span loop of instances whose fragments have effects: depth test, then the stages of the effects, then the write.
-// Slower than the loops of textured_span.hpp, which draw the other instances of the scene.
+// Draws instances whose fragments have effects, in runs of up to 16 pixels: depth test, then one stage after the other
+// for all pixels of the run (kernels/fragment_run.hpp). Slower than textured_span.hpp, which draws the other instances
+// of the scene.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 
+#include "zstrip/base/bayer.hpp"
 #include "zstrip/effects/pixel_shading/pixel_light.hpp"
 #include "zstrip/geometry/light.hpp"
+#include "zstrip/kernels/fragment_run.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
+#include "zstrip/raster/run_texels.hpp"
 #include "zstrip/raster/span_triangle.hpp"
-#include "zstrip/raster/texture_sampler.hpp"
 
 namespace zstrip::detail {
-
-/// Returns the mean of `a`, weighted `share` (0..256), and `b`, weighted 256 - share, rounded to nearest.
-constexpr std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t share) {
-  return (a * share + b * (256 - share) + 128) >> 8;
-}
-
-/// Multiplies a texel by light channels of 8.16; light of 255 leaves the texel unchanged.
-constexpr FragmentColour modulated(const FragmentColour& texel, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-  const auto product = [](std::uint32_t channel, std::uint32_t light) {
-    const std::uint32_t whole = light >> 16;
-    return (channel * (whole + (whole >> 7)) + 128) >> 8;
-  };
-  return {product(texel.r, r), product(texel.g, g), product(texel.b, b), texel.a};
-}
 
 /// All values of these effects that vary over a triangle, except depth.
 template <Effects effects>
 struct FragmentPlanes {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
-  using Sampler = TextureSampler<effects.has(effect::texture_palettes), effects.has(effect::mipmaps)>;
+  static constexpr bool kStored = effects.any(effect::texture_palettes | effect::mipmaps);
 
   FragmentPlanes(const PlaneSetup& setup, const RasterVertex* const (&v)[3], const FragmentSurface<effects>& surface,
                  const TargetOf<effects>& target) {
@@ -54,10 +43,16 @@ struct FragmentPlanes {
       const Plane white{static_cast<std::uint32_t>(channel_start(255)), 0, 0};
       light = {white, white, white};
     }
+    const auto is_one = [](const Plane& channel) {
+      return channel.start >> 16 == 255 && channel.step_x == 0 && channel.step_y == 0;
+    };
+    unlit = is_one(light.r) && is_one(light.g) && is_one(light.b);
     if constexpr (effects.has(effect::textures)) {
       textured = settings.textured;
       if (textured) {
-        texture = surface.texture;
+        TextureFormat format = TextureFormat::rgb565;
+        if constexpr (kStored) storage = target.storage, format = storage.format;
+        texels = texels_of(surface.texture, format);
         coordinates = TextureCoordinates<kOrthographic>(setup, v, surface.depth_offset);
       }
     }
@@ -69,14 +64,15 @@ struct FragmentPlanes {
 
   ColourPlanes light;  ///< constant over a flat triangle; 255 if texels are not lit; vertex colours with pixel_light
   bool textured = false, fogged = false;
-  TextureView texture{};
+  bool unlit = false;  ///< light is 255 everywhere, and changes no texel
   template <Effects needed, class Member>
   using If = MemberIf<effects, needed, Member>;
+  [[no_unique_address]] If<effect::textures, RunTexels> texels;
   [[no_unique_address]] If<effect::textures, TextureCoordinates<kOrthographic>> coordinates;
   [[no_unique_address]] If<effect::fog, FogPlane<kOrthographic>> fog;
   [[no_unique_address]] If<effect::dithered_colours, DitherAnchor> dither;
   [[no_unique_address]] If<effect::pixel_shading, PixelLight<effects>> pixel_light;
-  [[no_unique_address]] typename Sampler::Storage storage;
+  [[no_unique_address]] std::conditional_t<kStored, TexelStorage, Absent> storage;
 };
 
 /// Values that are exact only at the ends of a run, and linear in between.
@@ -114,85 +110,260 @@ constexpr std::int32_t step_of_run(std::int32_t difference, std::int32_t left) {
   return static_cast<std::int32_t>((difference * static_cast<std::int64_t>(kInverse[left - 1])) >> 16);
 }
 
-/// Runs the stages after the depth test. Returns false if the fragment is discarded. `u`, `v` in 0.32 of the texture,
-/// light in 8.16, `visible` 0..256. With effect::dithered_colours the last argument is a threshold of kBayer.
-template <Effects effects, class... Threshold>
-bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSettings& settings,
-                    [[maybe_unused]] const typename FragmentPlanes<effects>::Sampler& sampler, std::uint32_t r,
-                    std::uint32_t g, std::uint32_t b, [[maybe_unused]] std::uint32_t u,
-                    [[maybe_unused]] std::uint32_t v, [[maybe_unused]] std::uint32_t visible, std::uint16_t& pixel,
-                    Threshold... threshold) {
-  constexpr bool kTextureAlpha = effects.has(effect::texture_alpha);
-  if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) {
-    // Rounds as TexturedRun does, so that a palette changes no pixel and a smaller level changes only the texel.
-    if (planes.storage.only_effect) {
-      pixel = modulated(sampler.nearest_word(u, v), r, g, b);
-      return true;
+/// Neighbouring pixels of one triangle in a row, of which all that varies is stepped.
+template <Effects effects>
+struct FragmentRun {
+  const FragmentPlanes<effects>& planes;
+  const TargetOf<effects>& target;
+  RunTexels texels;                            ///< this, and what belongs to it, only with effect::textures
+  std::uint32_t to_fraction_u, to_fraction_v;  ///< TextureAxis
+  RunPlace place;
+  RunLight light;
+  std::int32_t visible, step_visible;  ///< 8.16, up to 256
+  std::int32_t columns, rows;          ///< of the first pixel, from the anchor
+  std::int32_t count;                  ///< 1 .. kPerspectiveRun
+
+  static constexpr bool kPalettes = effects.has(effect::texture_palettes);
+  static constexpr bool kAlpha = effects.has(effect::texture_alpha);
+
+  /// Runs of a triangle. What varies is set for each span, and for each run.
+  FragmentRun(const FragmentPlanes<effects>& of, const TargetOf<effects>& on) : planes(of), target(on) {
+    light.step_r = of.light.r.step_x, light.step_g = of.light.g.step_x, light.step_b = of.light.b.step_x;
+    if constexpr (effects.has(effect::textures)) {
+      texels = of.texels;
+      to_fraction_u = TextureAxis(static_cast<std::uint8_t>(texels.log2_width)).to_fraction;
+      to_fraction_v = TextureAxis(static_cast<std::uint8_t>(texels.log2_height)).to_fraction;
     }
   }
-  FragmentColour colour{r >> 16, g >> 16, b >> 16, 255};
-  if constexpr (effects.has(effect::textures)) {
-    if (planes.textured) {
-      FragmentColour texel;
-      bool fetched = false;
-      if constexpr (effects.has(effect::bilinear)) {
-        fetched = settings.bilinear;
-        if (fetched) texel = sampler.template bilinear<kTextureAlpha>(u, v, settings.has_texture_alpha);
+
+  /// Sets the light of a span.
+  void begin_span(std::int32_t first_column, std::int32_t row) {
+    rows = row;
+    light.r = planes.light.r.at(first_column, row);
+    light.g = planes.light.g.at(first_column, row);
+    light.b = planes.light.b.at(first_column, row);
+  }
+
+  /// Sets what varies between two exact points, `left` or kPerspectiveRun pixels apart, at the pixel `before` behind
+  /// the first one.
+  void set_ends(const FragmentPoint& from, const FragmentPoint& to, std::int32_t left, std::int32_t before) {
+    if constexpr (effects.has(effect::mipmaps)) {
+      texels = level_of(planes.texels, level_of_run(from.footprint, to.footprint, planes.storage.smaller_levels));
+    }
+    if constexpr (effects.has(effect::textures)) {
+      const auto fraction = [](std::int32_t at, std::uint32_t to_fraction) {
+        return static_cast<std::uint32_t>(at) * to_fraction;
+      };
+      place.step_u = fraction(step_of_run(difference(to.texel.u, from.texel.u), left), to_fraction_u);
+      place.step_v = fraction(step_of_run(difference(to.texel.v, from.texel.v), left), to_fraction_v);
+      place.u = fraction(from.texel.u, to_fraction_u) + place.step_u * static_cast<std::uint32_t>(before);
+      place.v = fraction(from.texel.v, to_fraction_v) + place.step_v * static_cast<std::uint32_t>(before);
+    }
+    if constexpr (effects.has(effect::fog)) {
+      step_visible = step_of_run((to.visibility - from.visibility) * 256, left);
+      visible = from.visibility * 256 + 128 + step_visible * before;  // 128 keeps steps that are rounded down from
+                                                                      // falling below 0
+    }
+  }
+
+  /// Moves the first pixel to the right.
+  void move(std::int32_t pixels) {
+    const auto n = static_cast<std::uint32_t>(pixels);
+    columns += pixels;
+    light.r += light.step_r * n, light.g += light.step_g * n, light.b += light.step_b * n;
+    if constexpr (effects.has(effect::textures)) place.u += place.step_u * n, place.v += place.step_v * n;
+    if constexpr (effects.has(effect::fog)) visible += step_visible * pixels;
+  }
+
+  /// Draws the run if one stage writes its pixels. Returns false else.
+  bool draw_at_once([[maybe_unused]] std::uint16_t* pixels) const {
+    if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) {
+      if (planes.storage.only_effect) {
+        // Rounds as TexturedRun does, so that a palette changes no pixel and a smaller level changes only the texel.
+        RunColours words;
+        fetch_words<kPalettes>(texels, place, words, count);
+        write_lit_words(light, words, pixels, count);
+        return true;
       }
-      if (!fetched) texel = sampler.template nearest<kTextureAlpha>(u, v, settings.has_texture_alpha);
-      colour = modulated(texel, r, g, b);
+    }
+    if constexpr (effects.has(effect::fog)) {
+      if (planes.fogged && !has_texels() && !has_pixel_light() && !blends() && !discards() && !dithers()) {
+        write_fogged_light(light, target.fragments.fog->colour, visible, step_visible, pixels, count);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Runs the stages up to blending with `behind`.
+  void shade([[maybe_unused]] const std::uint16_t* behind, std::uint32_t* colours) const {
+    [[maybe_unused]] const FragmentSettings& settings = target.fragments;
+    if (!has_texels()) {
+      shine(colours);
+    } else {
+      fetch(colours);
+      if (has_pixel_light()) {
+        RunColours lights;
+        shine(lights);
+        multiply_by_colours(lights, colours, count);
+      } else if (!planes.unlit) {
+        multiply_by_light(light, colours, count);
+      }
+    }
+    [[maybe_unused]] std::uint32_t alpha = factor(settings.alpha);
+    if constexpr (effects.has(effect::alpha_test)) {
+      if (discards()) multiply_alpha(alpha, colours, count), alpha = 256;
+    }
+    if constexpr (effects.has(effect::fog)) {
+      if (planes.fogged) mix_fog(settings.fog->colour, visible, step_visible, colours, count);
+    }
+    if constexpr (effects.has(effect::blending)) {
+      if (blends()) mix_behind(behind, alpha, colours, count);
     }
   }
-  if constexpr (effects.any(effect::alpha_test | effect::blending)) {
-    colour.a = (colour.a * factor(settings.alpha)) >> 8;
+
+  void write(const std::uint32_t* colours, std::uint16_t* pixels) const {
+    if constexpr (effects.has(effect::dithered_colours)) {
+      if (dithers()) {
+        return write_dithered(kBayer[(planes.dither.row + rows) & 7],
+                              static_cast<std::uint32_t>(planes.dither.column + columns), colours, pixels, count);
+      }
+    }
+    write_packed(colours, pixels, count);
   }
-  if constexpr (effects.has(effect::alpha_test)) {
-    if (colour.a < settings.cutoff) return false;
+
+  bool discards() const { return effects.has(effect::alpha_test) && target.fragments.cutoff != 0; }
+  bool blends() const { return effects.has(effect::blending) && target.fragments.blends; }
+  bool dithers() const {
+    if constexpr (effects.has(effect::dithered_colours)) return planes.dither.dithered;
+    return false;
   }
-  if constexpr (effects.has(effect::fog)) {
-    if (planes.fogged) {
-      const Colour& fog = settings.fog->colour;
-      colour = {mixed(colour.r, fog.r, visible), mixed(colour.g, fog.g, visible), mixed(colour.b, fog.b, visible),
-                colour.a};
+
+ private:
+  bool has_texels() const {
+    if constexpr (effects.has(effect::textures)) return planes.textured;
+    return false;
+  }
+  bool has_pixel_light() const {
+    if constexpr (effects.has(effect::pixel_shading)) return planes.pixel_light.is_on();
+    return false;
+  }
+
+  void fetch(std::uint32_t* colours) const {
+    if constexpr (effects.has(effect::textures)) {
+      const FragmentSettings& settings = target.fragments;
+      const bool alpha = kAlpha && settings.has_texture_alpha;
+      if constexpr (effects.has(effect::bilinear)) {
+        if (settings.bilinear) {
+          if constexpr (kAlpha) {
+            if (alpha)
+              return fetch_bilinear<false, true>(texels, place, colours, count);  // such texels have no palette
+          }
+          return fetch_bilinear<kPalettes, false>(texels, place, colours, count);
+        }
+      }
+      fetch_nearest<kPalettes>(texels, place, colours, count);
+      if constexpr (kAlpha) {
+        if (alpha) fetch_alpha(texels, place, colours, count);
+      }
     }
   }
-  if constexpr (effects.has(effect::blending)) {
-    if (settings.blends) {
-      const FragmentColour behind = expanded(pixel);
-      const std::uint32_t share = factor(colour.a);
-      colour = {mixed(colour.r, behind.r, share), mixed(colour.g, behind.g, share), mixed(colour.b, behind.b, share),
-                255};
+
+  /// Sets colours to the light on each pixel.
+  void shine(std::uint32_t* colours) const {
+    if constexpr (effects.has(effect::pixel_shading)) {
+      if (planes.pixel_light.is_on()) {
+        for (std::int32_t i = 0; i < count; ++i) {
+          const FragmentColour at = planes.pixel_light.at(columns + i, rows, target.light);
+          colours[i] = 0xFF000000 | at.r << 16 | at.g << 8 | at.b;
+        }
+        if (!planes.unlit) multiply_by_light(light, colours, count);
+        return;
+      }
     }
+    set_to_light(light, colours, count);
   }
-  if constexpr (sizeof...(threshold) != 0) {
-    if (planes.dither.dithered) {
-      pixel = dithered_rgb565(colour.r, colour.g, colour.b, threshold...);
-      return true;
+};
+
+/// Draws a run that passed the depth test. `codes`: what its cells will hold, where a texel may still discard a pixel;
+/// else they hold it already.
+template <Effects effects, class Rule>
+[[gnu::noinline]] void draw_fragment_run(const FragmentRun<effects>& run, [[maybe_unused]] const Rule& rule,
+                                         [[maybe_unused]] typename Rule::Cell* codes,
+                                         [[maybe_unused]] typename Rule::Cell* cells, std::uint16_t* pixels,
+                                         Statistics* counters) {
+  constexpr bool kCounts = effects.has(effect::statistics);
+  if (!run.draw_at_once(pixels)) {
+    RunColours colours;
+    run.shade(pixels, colours);
+    if constexpr (effects.has(effect::alpha_test)) {
+      if (run.discards()) {
+        std::uint16_t shown[kPerspectiveRun];
+        run.write(colours, shown);
+        for (std::int32_t i = 0; i < run.count; ++i) {
+          if (colours[i] >> 24 < run.target.fragments.cutoff) continue;
+          rule.drawn(codes[i], !run.blends(), cells[i]);
+          pixels[i] = shown[i];
+          count_pass<kCounts>(counters);
+        }
+        return;
+      }
     }
+    run.write(colours, pixels);
   }
-  pixel = rgb565(colour.r << 16, colour.g << 16, colour.b << 16);
-  return true;
+  for (std::int32_t i = 0; kCounts && i < run.count; ++i) count_pass<kCounts>(counters);
 }
 
-/// Draws a span of one triangle. `target` has the settings of the triangle's instance.
+/// What a pixel that passes the depth test does to its cell.
+enum class CellUse : std::uint8_t {
+  written,  ///< the pixel is drawn and hides what lies behind it
+  kept,     ///< the pixel is drawn, but hides nothing
+  later,    ///< a texel may still discard the pixel
+};
+
+/// Finds the first pixels from `first` on, before `count`, that pass the depth test one after another: moves `first` to
+/// the first of them and returns the end. `z` is the depth at `first`; it moves along.
+template <class Rule, class Value>
+[[gnu::always_inline]] inline std::int32_t passing_pixels(CellUse use, const Rule& rule, typename Rule::Cell* cells,
+                                                          Value& z, Value step, std::int32_t& first, std::int32_t count,
+                                                          typename Rule::Cell* codes) {
+  Value depth = z;
+  std::int32_t i = first;
+  const auto passes = [&] {
+    typename Rule::Cell code = cells[i];
+    const bool result = rule.may_draw(depth, code);
+    depth += step;
+    if (result) {
+      if (use == CellUse::later) {
+        codes[i] = code;
+      } else {
+        rule.drawn(code, use == CellUse::written, cells[i]);
+      }
+    }
+    return result;
+  };
+  while (i < count && !passes()) ++i;
+  first = i;
+  if (i < count) ++i;
+  while (i < count && passes()) ++i;
+  z = depth;
+  return i;
+}
+
+/// Not inlined, so that the loop keeps its registers; for speed a loop for each use.
+template <CellUse use, class Rule, class Value>
+[[gnu::noinline]] std::int32_t passing_pixels(Rule rule, typename Rule::Cell* cells, Value& z, Value step,
+                                              std::int32_t& first, std::int32_t count, typename Rule::Cell* codes) {
+  return passing_pixels(use, rule, cells, z, step, first, count, codes);
+}
+
+/// Draws a span of one triangle.
 template <Effects effects, class DepthPlane, class Rule>
 void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
-                    const FragmentPlanes<effects>& planes, const TargetOf<effects>& target, Statistics* counters) {
-  const FragmentSettings& settings = target.fragments;
-  constexpr bool kTextures = effects.has(effect::textures);
-  constexpr bool kFog = effects.has(effect::fog);
-  constexpr bool kDithered = effects.has(effect::dithered_colours);
+                    FragmentRun<effects>& run, Statistics* counters) {
+  constexpr bool kDiscards = effects.has(effect::alpha_test);
   auto z = depth.at(span.columns, span.rows);
-  std::uint32_t r = planes.light.r.at(span.columns, span.rows);
-  std::uint32_t g = planes.light.g.at(span.columns, span.rows);
-  std::uint32_t b = planes.light.b.at(span.columns, span.rows);
-  typename FragmentPlanes<effects>::Sampler sampler;
-  TextureAxis axis_u(0), axis_v(0);
-  if constexpr (kTextures) {
-    sampler = {planes.texture, planes.storage};
-    axis_u = TextureAxis(planes.texture.log2_width);
-    axis_v = TextureAxis(planes.texture.log2_height);
-  }
+  run.begin_span(span.columns, span.rows);
   // As in fill_textured, runs are counted from the left end of the whole span, so that they do not depend on the strip.
   std::int32_t before = span.skipped & (kPerspectiveRun - 1);
   std::int32_t column = span.columns - before;
@@ -200,69 +371,43 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
   std::int32_t to_draw = span.length;
   auto* cell = span.depth;
   std::uint16_t* pixel = span.colour;
-  FragmentPoint from = point_at(planes, column, span.rows);
+  const CellUse use = run.discards() ? CellUse::later : run.blends() ? CellUse::kept : CellUse::written;
+  const auto passing = [&](std::int32_t& first, std::int32_t count, typename Rule::Cell* codes) {
+    const auto step = depth.step_x;
+    if constexpr (kForSize) return passing_pixels(use, rule, cell, z, step, first, count, codes);
+    if (kDiscards && use == CellUse::later) {
+      return passing_pixels<CellUse::later>(rule, cell, z, step, first, count, codes);
+    }
+    if (effects.has(effect::blending) && use == CellUse::kept) {
+      return passing_pixels<CellUse::kept>(rule, cell, z, step, first, count, codes);
+    }
+    return passing_pixels<CellUse::written>(rule, cell, z, step, first, count, codes);
+  };
+  FragmentPoint from = point_at(run.planes, column, span.rows);
   for (;;) {
     // A full run ends at the first pixel of the next run, the last run at its own last pixel, both inside the triangle.
     const std::int32_t length = std::min(left, kPerspectiveRun);
     const FragmentPoint to =
-        left > 1 ? point_at(planes, column + (left > kPerspectiveRun ? length : length - 1), span.rows) : from;
-    std::uint32_t u = 0, v = 0, step_u = 0, step_v = 0;
-    if constexpr (kTextures && effects.has(effect::mipmaps)) {
-      sampler.show(planes.texture, level_of_run(from.footprint, to.footprint, planes.storage.smaller_levels));
+        left > 1 ? point_at(run.planes, column + (left > kPerspectiveRun ? length : length - 1), span.rows) : from;
+    run.set_ends(from, to, left, before);
+    run.columns = column + before;
+    const std::int32_t tested = std::min(length - before, to_draw);
+    typename Rule::Cell codes[kDiscards ? kPerspectiveRun : 1];
+    std::int32_t moved = 0;
+    for (std::int32_t first = 0; first < tested;) {
+      const std::int32_t end = passing(first, tested, codes);
+      if (end == first) break;
+      if (first != moved) run.move(first - moved);
+      moved = first;
+      run.count = end - first;
+      draw_fragment_run<effects>(run, rule, codes + first, cell + first, pixel + first, counters);
+      first = end + 1;  // the pixel at the end failed
     }
-    if constexpr (kTextures) {
-      step_u = axis_u.fraction(step_of_run(difference(to.texel.u, from.texel.u), left));
-      step_v = axis_v.fraction(step_of_run(difference(to.texel.v, from.texel.v), left));
-      u = axis_u.fraction(from.texel.u) + step_u * static_cast<std::uint32_t>(before);
-      v = axis_v.fraction(from.texel.v) + step_v * static_cast<std::uint32_t>(before);
-    }
-    std::int32_t visible = 0, step_visible = 0;  // 8.16, up to 256
-    if constexpr (kFog) {
-      step_visible = step_of_run((to.visibility - from.visibility) * 256, left);
-      visible = from.visibility * 256 + 128 + step_visible * before;  // 128 keeps steps that are rounded down from
-                                                                      // falling below 0
-    }
-    const std::int32_t drawn = std::min(length - before, to_draw);
-    for (std::int32_t i = 0; i < drawn; ++i) {
-      // The cell is written last: the stages may discard the fragment, and a blended fragment hides nothing.
-      typename Rule::Cell kept = *cell;
-      bool shown = rule.may_draw(z, kept);
-      const std::uint32_t share = static_cast<std::uint32_t>(visible) >> 16;
-      const auto shade = [&](std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
-        if constexpr (kDithered) {
-          const std::uint32_t threshold = planes.dither.threshold(column + before + i, span.rows);
-          return shade_fragment(planes, settings, sampler, red, green, blue, u, v, share, *pixel, threshold);
-        } else {
-          return shade_fragment(planes, settings, sampler, red, green, blue, u, v, share, *pixel);
-        }
-      };
-      if constexpr (effects.has(effect::pixel_shading)) {
-        if (shown && planes.pixel_light.is_on()) {
-          const FragmentColour lit =
-              modulated(planes.pixel_light.at(column + before + i, span.rows, target.light), r, g, b);
-          shown = shade(lit.r << 16, lit.g << 16, lit.b << 16);
-        } else {
-          shown = shown && shade(r, g, b);
-        }
-      } else {
-        shown = shown && shade(r, g, b);
-      }
-      if (shown) {
-        rule.drawn(kept, !effects.has(effect::blending) || !settings.blends, *cell);
-        count_pass<effects.has(effect::statistics)>(counters);
-      }
-      ++cell;
-      ++pixel;
-      z += depth.step_x;
-      r += planes.light.r.step_x;
-      g += planes.light.g.step_x;
-      b += planes.light.b.step_x;
-      u += step_u;
-      v += step_v;
-      visible += step_visible;
-    }
-    to_draw -= drawn;
+    to_draw -= tested;
     if (to_draw == 0) break;
+    run.move(tested - moved);
+    cell += tested;
+    pixel += tested;
     column += kPerspectiveRun;
     left -= kPerspectiveRun;
     before = 0;
@@ -281,10 +426,10 @@ void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex&
   if constexpr (effects.has(effect::dithered_colours)) {
     planes.dither = {triangle.anchor_x - target.view_left, triangle.anchor_y - target.view_top, target.dithered};
   }
-  if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) planes.storage = target.storage;
+  FragmentRun<effects> run(planes, target);
   triangle.template walk<effects.has(effect::statistics), true>(
-      target, v0, v1, v2, narrow, [&](const auto& run, const auto& z, const auto& rule) {
-        fill_fragments<effects>(run, z, rule, planes, target, target.statistics);
+      target, v0, v1, v2, narrow, [&](const auto& span, const auto& z, const auto& rule) {
+        fill_fragments<effects>(span, z, rule, run, target.statistics);
       });
 }
 

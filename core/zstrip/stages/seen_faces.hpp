@@ -10,15 +10,17 @@
 
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/meshlet_range.hpp"
+#include "zstrip/kernels/processor.hpp"
 #include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/raster/facing.hpp"
 #include "zstrip/raster/target.hpp"
 
 namespace zstrip::detail {
 
-/// True if only light reads the normals of vertices.
+/// True if only light reads the normals of vertices. For size only skins are lit so: half a kilobyte of code less.
 constexpr bool lights_seen_vertices(Effects effects) {
-  return has_vertex_colours(effects) && !effects.any(effect::outlines | effect::pixel_shading);
+  return has_vertex_colours(effects) && !effects.any(effect::outlines | effect::pixel_shading) &&
+         (!kForSize || effects.has(effect::skins));
 }
 
 /// Meshlets with more vertices, or with more triangles than lists can number, are lit as a whole; so are meshlets that

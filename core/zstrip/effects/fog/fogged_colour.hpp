@@ -5,7 +5,7 @@
 
 #include "zstrip/effects/fog/fog.hpp"
 #include "zstrip/raster/colour.hpp"
-#include "zstrip/raster/fragment.hpp"
+#include "zstrip/raster/fragment_colour.hpp"
 
 namespace zstrip::detail {
 

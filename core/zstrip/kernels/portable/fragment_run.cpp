@@ -1,0 +1,294 @@
+// The stages of kernels/fragment_run.hpp, for every processor.
+#include "zstrip/kernels/fragment_run.hpp"
+
+#include <bit>
+#include <cstddef>
+
+#include "zstrip/base/bayer.hpp"
+#include "zstrip/geometry/light.hpp"
+#include "zstrip/kernels/processor.hpp"
+#include "zstrip/raster/colour.hpp"
+
+namespace zstrip::detail {
+namespace {
+
+// Red and blue of a colour share a word: a channel times 0 .. 256 stays within its 16 bits.
+constexpr std::uint32_t kRedAndBlue = 0x00FF00FF;
+constexpr std::uint32_t kHalves = 0x00800080;  // rounds both to nearest
+constexpr std::uint32_t kAlpha = 0xFF000000;
+
+constexpr std::uint32_t red_of(std::uint32_t colour) { return colour >> 16 & 0xFF; }
+constexpr std::uint32_t green_of(std::uint32_t colour) { return colour >> 8 & 0xFF; }
+constexpr std::uint32_t blue_of(std::uint32_t colour) { return colour & 0xFF; }
+
+/// Repeats the upper bits of a channel, so that 31 and 63 become 255; alpha is 0.
+constexpr std::uint32_t widened(std::uint32_t texel) {
+  const std::uint32_t r = texel >> 11, g = texel >> 5 & 0x3F, b = texel & 0x1F;
+  return ((r << 3) | (r >> 2)) << 16 | ((g << 2) | (g >> 4)) << 8 | ((b << 3) | (b >> 2));
+}
+
+/// The mean of two colours, the first of weight `share` (0 .. 256), rounded to nearest, without alpha. What a
+/// difference borrows from another channel, the sum gives back.
+constexpr std::uint32_t mean(std::uint32_t colour, std::uint32_t other, std::uint32_t share) {
+  const std::uint32_t red_blue = other & kRedAndBlue, green = green_of(other);
+  const std::uint32_t mixed_red_blue = ((colour & kRedAndBlue) - red_blue) * share + (red_blue << 8) + kHalves;
+  const std::uint32_t mixed_green = (green_of(colour) - green) * share + (green << 8) + 128;
+  return (mixed_red_blue >> 8 & kRedAndBlue) | (mixed_green & 0xFF00);
+}
+
+/// Two channels of 8 bits in the halves of a word, of a texel and of its right neighbour. A mean stays within a half;
+/// what a difference borrows from the other half, the sum gives back.
+struct Pair {
+  std::uint32_t first = 0, step = 0;
+
+  Pair() = default;
+  Pair(std::uint32_t left, std::uint32_t right) : first((left << 8) + kHalves), step(right - left) {}
+  /// 256 times the means, for a weight of the right one of 0 .. 255; and 1/2, which rounds the mean of two rows.
+  std::uint32_t at(std::uint32_t weight) const { return first + step * weight; }
+};
+
+/// A channel times light of 8.16, rounded to nearest.
+constexpr std::uint32_t lit(std::uint32_t channel, std::uint32_t light) {
+  return (channel * light_factor(light) + 128) >> 8;
+}
+
+/// Byte `index` of a sequence of words whose lower byte is the first.
+std::uint32_t byte_at(const std::uint16_t* words, std::uint32_t index) {
+  if constexpr (std::endian::native == std::endian::little) {
+    return reinterpret_cast<const std::uint8_t*>(words)[index];
+  }
+  return words[index >> 1] >> 8 * (index & 1) & 0xFF;
+}
+
+template <TextureFormat format>
+std::uint32_t word_at(const RunTexels& texels, std::uint32_t index) {
+  if constexpr (format == TextureFormat::palette8) {
+    return texels.palette[byte_at(texels.texels, index)];
+  } else if constexpr (format == TextureFormat::palette4) {
+    return texels.palette[byte_at(texels.texels, index >> 1) >> 4 * (index & 1) & 0xF];
+  } else {
+    return texels.texels[index];
+  }
+}
+
+std::uint32_t alpha_at(const RunTexels& texels, std::uint32_t index) {
+  const std::uint16_t* const alphas = texels.texels + (std::size_t{1} << (texels.log2_width + texels.log2_height));
+  return byte_at(alphas, index);
+}
+
+/// Calls visit(i, index of the nearest texel) for the pixels of a run.
+template <class Visit>
+[[gnu::always_inline]] inline void for_nearest(const RunTexels& texels, const RunPlace& place, std::int32_t count,
+                                               const Visit& visit) {
+  // A row stays multiplied by the width. On a side of one texel the mask clears what the shift leaves.
+  const std::uint32_t width = texels.log2_width, both = width + texels.log2_height;
+  const std::uint32_t to_column = width == 0 ? 31 : 32 - width, column_mask = (1U << width) - 1;
+  const std::uint32_t to_row = both == 0 ? 31 : 32 - both, row_mask = ((1U << both) - 1) & ~column_mask;
+  std::uint32_t u = place.u, v = place.v;
+  for (std::int32_t i = 0; i < count; ++i) {
+    visit(i, (v >> to_row & row_mask) + (u >> to_column & column_mask));
+    u += place.step_u, v += place.step_v;
+  }
+}
+
+template <class Visit>
+[[gnu::always_inline]] inline void for_format(const RunTexels& texels, const Visit& visit) {
+  switch (texels.format) {
+    case TextureFormat::palette8: return visit.template operator()<TextureFormat::palette8>();
+    case TextureFormat::palette4: return visit.template operator()<TextureFormat::palette4>();
+    default: return visit.template operator()<TextureFormat::rgb565>();
+  }
+}
+
+/// Calls set(colour, word) for the nearest texels; the format is decided once.
+template <bool palettes, class Set>
+[[gnu::always_inline]] inline void fetch(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours,
+                                         std::int32_t count, const Set& set) {
+  const auto all = [&]<TextureFormat format>() {
+    for_nearest(texels, place, count,
+                [&](std::int32_t i, std::uint32_t index) { colours[i] = set(word_at<format>(texels, index)); });
+  };
+  if constexpr (palettes) {
+    for_format(texels, all);
+  } else {
+    all.template operator()<TextureFormat::rgb565>();
+  }
+}
+
+}  // namespace
+
+template <bool palettes>
+void fetch_words(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours, std::int32_t count) {
+  fetch<palettes>(texels, place, colours, count, [](std::uint32_t word) { return word; });
+}
+template void fetch_words<false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_words<true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+
+template <bool palettes>
+void fetch_nearest(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours, std::int32_t count) {
+  if constexpr (kForSize) {
+    fetch_words<palettes>(texels, place, colours, count);
+    for (std::int32_t i = 0; i < count; ++i) colours[i] = kAlpha | widened(colours[i]);
+  } else {
+    fetch<palettes>(texels, place, colours, count, [](std::uint32_t word) { return kAlpha | widened(word); });
+  }
+}
+template void fetch_nearest<false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_nearest<true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+
+template <bool palettes, bool alpha>
+void fetch_bilinear(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours, std::int32_t count) {
+  const std::uint32_t width = texels.log2_width, height = texels.log2_height;
+  // Coordinates are from the centre of a texel. On a side of one texel they stay 0, and the neighbour is the texel
+  // itself.
+  const auto from_centre = [](std::uint32_t at, std::uint32_t log2_size) {
+    return log2_size == 0 ? 0 : at - (1U << (31 - log2_size));
+  };
+  std::uint32_t u = from_centre(place.u, width), v = from_centre(place.v, height);
+  const std::uint32_t step_u = width == 0 ? 0 : place.step_u, step_v = height == 0 ? 0 : place.step_v;
+  const std::uint32_t to_column = width == 0 ? 31 : 32 - width, to_row = height == 0 ? 31 : 32 - height;
+  // Neighbouring pixels often lie between the same four texels, whose pairs are kept. Green is a pair of the two rows.
+  std::uint32_t kept = ~0U;
+  Pair upper, lower, greens, alphas;
+  for (std::int32_t i = 0; i < count; ++i, u += step_u, v += step_v) {
+    const std::uint32_t x = u >> to_column, row = v >> to_row << width, index = row + x;
+    if (index != kept) {
+      kept = index;
+      const std::uint32_t next_x = (x + 1) & ((1U << width) - 1);
+      const std::uint32_t next_row = (row + (1U << width)) & ((1U << (width + height)) - 1);
+      const std::uint32_t indices[4] = {index, row + next_x, next_row + x, next_row + next_x};
+      std::uint32_t a = 0, b = 0, c = 0, d = 0;
+      const auto read = [&]<TextureFormat format>() {
+        a = word_at<format>(texels, indices[0]), b = word_at<format>(texels, indices[1]);
+        c = word_at<format>(texels, indices[2]), d = word_at<format>(texels, indices[3]);
+      };
+      if constexpr (palettes) {
+        for_format(texels, read);
+      } else {
+        read.template operator()<TextureFormat::rgb565>();
+      }
+      a = widened(a), b = widened(b), c = widened(c), d = widened(d);
+      upper = Pair(a & kRedAndBlue, b & kRedAndBlue);
+      lower = Pair(c & kRedAndBlue, d & kRedAndBlue);
+      greens = Pair(green_of(a) << 16 | green_of(c), green_of(b) << 16 | green_of(d));
+      if constexpr (alpha) {
+        alphas = Pair(alpha_at(texels, indices[0]) << 16 | alpha_at(texels, indices[2]),
+                      alpha_at(texels, indices[1]) << 16 | alpha_at(texels, indices[3]));
+      }
+    }
+    const std::uint32_t right = u << width >> 24, down = v << height >> 24;
+    const auto between = [down](std::uint32_t above, std::uint32_t below) {  // 16 bits each; the upper half is the mean
+      return above * 256 + (below - above) * down;
+    };
+    const std::uint32_t above = upper.at(right), below = lower.at(right), green = greens.at(right);
+    std::uint32_t colour = (between(above >> 16, below >> 16) & 0xFF0000) |
+                           (between(green >> 16, green & 0xFFFF) >> 8 & 0xFF00) |
+                           between(above & 0xFFFF, below & 0xFFFF) >> 16;
+    if constexpr (alpha) {
+      const std::uint32_t both = alphas.at(right);
+      colour |= between(both >> 16, both & 0xFFFF) >> 16 << 24;
+    } else {
+      colour |= kAlpha;
+    }
+    colours[i] = colour;
+  }
+}
+template void fetch_bilinear<false, false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_bilinear<false, true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_bilinear<true, false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_bilinear<true, true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+
+void fetch_alpha(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours, std::int32_t count) {
+  for_nearest(texels, place, count, [&](std::int32_t i, std::uint32_t index) {
+    colours[i] = (colours[i] & ~kAlpha) | alpha_at(texels, index) << 24;
+  });
+}
+
+void set_to_light(const RunLight& light, std::uint32_t* colours, std::int32_t count) {
+  std::uint32_t r = light.r, g = light.g, b = light.b;
+  for (std::int32_t i = 0; i < count; ++i) {
+    colours[i] = kAlpha | (r & 0xFF0000) | (g >> 16) << 8 | b >> 16;
+    r += light.step_r, g += light.step_g, b += light.step_b;
+  }
+}
+
+void multiply_by_light(const RunLight& light, std::uint32_t* colours, std::int32_t count) {
+  std::uint32_t r = light.r, g = light.g, b = light.b;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::uint32_t colour = colours[i];
+    colours[i] =
+        (colour & kAlpha) | lit(red_of(colour), r) << 16 | lit(green_of(colour), g) << 8 | lit(blue_of(colour), b);
+    r += light.step_r, g += light.step_g, b += light.step_b;
+  }
+}
+
+void multiply_by_colours(const std::uint32_t* factors, std::uint32_t* colours, std::int32_t count) {
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::uint32_t colour = colours[i], by = factors[i];
+    const auto product = [](std::uint32_t channel, std::uint32_t other) { return lit(channel, other << 16); };
+    colours[i] = (colour & kAlpha) | product(red_of(colour), red_of(by)) << 16 |
+                 product(green_of(colour), green_of(by)) << 8 | product(blue_of(colour), blue_of(by));
+  }
+}
+
+void write_lit_words(const RunLight& light, const std::uint32_t* words, std::uint16_t* pixels, std::int32_t count) {
+  std::uint32_t r = light.r, g = light.g, b = light.b;
+  for (std::int32_t i = 0; i < count; ++i) {
+    pixels[i] = modulated(static_cast<std::uint16_t>(words[i]), r, g, b);
+    r += light.step_r, g += light.step_g, b += light.step_b;
+  }
+}
+
+void multiply_alpha(std::uint32_t material, std::uint32_t* colours, std::int32_t count) {
+  for (std::int32_t i = 0; i < count; ++i) {
+    colours[i] = (colours[i] & ~kAlpha) | (((colours[i] >> 24) * material) >> 8) << 24;
+  }
+}
+
+void mix_fog(const Colour& fog, std::int32_t visible, std::int32_t step, std::uint32_t* colours, std::int32_t count) {
+  const std::uint32_t other = std::uint32_t{fog.r} << 16 | std::uint32_t{fog.g} << 8 | fog.b;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::uint32_t colour = colours[i];
+    colours[i] = (colour & kAlpha) | mean(colour, other, static_cast<std::uint32_t>(visible) >> 16);
+    visible += step;
+  }
+}
+
+void mix_behind(const std::uint16_t* behind, std::uint32_t material, std::uint32_t* colours, std::int32_t count) {
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::uint32_t colour = colours[i];
+    colours[i] = (colour & kAlpha) | mean(colour, widened(behind[i]), factor((colour >> 24) * material >> 8));
+  }
+}
+
+void write_fogged_light(const RunLight& light, const Colour& fog, std::int32_t visible, std::int32_t step,
+                        std::uint16_t* pixels, std::int32_t count) {
+  const std::uint32_t fog_r = fog.r, fog_g = fog.g, fog_b = fog.b;
+  std::uint32_t r = light.r, g = light.g, b = light.b;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::uint32_t share = static_cast<std::uint32_t>(visible) >> 16;
+    const auto mixed = [share](std::uint32_t channel, std::uint32_t other) {  // the mean is in bits 8 to 15
+      return ((channel >> 16) - other) * share + (other << 8) + 128;
+    };
+    const std::uint32_t red = mixed(r, fog_r), green = mixed(g, fog_g), blue = mixed(b, fog_b);
+    pixels[i] = static_cast<std::uint16_t>((red & 0xF800) | (green >> 5 & 0x07E0) | blue >> 11);
+    r += light.step_r, g += light.step_g, b += light.step_b, visible += step;
+  }
+}
+
+void write_packed(const std::uint32_t* colours, std::uint16_t* pixels, std::int32_t count) {
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::uint32_t c = colours[i];
+    pixels[i] = static_cast<std::uint16_t>((c >> 8 & 0xF800) | (c >> 5 & 0x07E0) | (c >> 3 & 0x001F));
+  }
+}
+
+void write_dithered(const std::uint8_t (&thresholds)[8], std::uint32_t column, const std::uint32_t* colours,
+                    std::uint16_t* pixels, std::int32_t count) {
+  for (std::int32_t i = 0; i < count; ++i, ++column) {
+    const std::uint32_t c = colours[i];
+    pixels[i] = dithered_rgb565(red_of(c), green_of(c), blue_of(c), thresholds[column & 7]);
+  }
+}
+
+}  // namespace zstrip::detail
