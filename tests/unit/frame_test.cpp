@@ -433,7 +433,7 @@ TEST(Frame, ATriangleIsLeftOutOnlyOfRowsWhereItHasNoPixel) {
     CompiledInstance compiled{};
     const DepthFit fit = fit_to(reach_of(scene, camera), camera);
     if (!compile_instance(compiled, scene, instance, camera, view, fit)) continue;
-    const Batch batch{.instance = &compiled, .mesh = &mesh, .origin = raster_origin(view, fit, false)};
+    const Batch batch{&compiled, &mesh, nullptr, nullptr, 0, raster_origin(view, fit, false), {}};
     RasterPolygon polygon;
     const bool shown = TriangleClipper<effect::two_sided>::clip(batch, triangle, polygon);
     for (std::int32_t top = -120; top < 120; top += 8) {
