@@ -100,18 +100,25 @@ template <class Visit>
   }
 }
 
-/// Calls set(colour, word) for the nearest texels; the format is decided once.
+/// Sets colours to set(word) of the nearest texels. The format is decided once; for size, at each texel.
 template <bool palettes, class Set>
 [[gnu::always_inline]] inline void fetch(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours,
                                          std::int32_t count, const Set& set) {
-  const auto all = [&]<TextureFormat format>() {
-    for_nearest(texels, place, count,
-                [&](std::int32_t i, std::uint32_t index) { colours[i] = set(word_at<format>(texels, index)); });
+  const auto all = [&](const auto& word) {
+    for_nearest(texels, place, count, [&](std::int32_t i, std::uint32_t index) { colours[i] = set(word(index)); });
   };
-  if constexpr (palettes) {
-    for_format(texels, all);
+  if constexpr (!palettes) {
+    all([&](std::uint32_t index) { return word_at<TextureFormat::rgb565>(texels, index); });
+  } else if constexpr (kForSize) {
+    all([&](std::uint32_t index) {
+      std::uint32_t word = 0;
+      for_format(texels, [&]<TextureFormat format>() { word = word_at<format>(texels, index); });
+      return word;
+    });
   } else {
-    all.template operator()<TextureFormat::rgb565>();
+    for_format(texels, [&]<TextureFormat format>() {
+      all([&](std::uint32_t index) { return word_at<format>(texels, index); });
+    });
   }
 }
 
