@@ -1,7 +1,7 @@
 // Makes the models and textures of astronaut.toml. Public domain. Run: node astronaut.mjs
 import {occluded, welded, writeModel} from './models.mjs';
 import {writePicture} from './pictures.mjs';
-import {ball, box, card, grid, lathe, mix, placed, polygon, random, rgb, textured, tube} from './shapes.mjs';
+import {ball, box, card, covered, grid, lathe, mix, placed, polygon, random, rgb, textured, tube} from './shapes.mjs';
 
 const kSuit = '#f4f4f2', kGrey = '#8c94a4', kOrange = '#f08030', kDark = '#3c4250';
 
@@ -40,11 +40,12 @@ const pack = [
   ...placed(box([0.74, 0.9, 0.3], '#d8dce4', 0.06), {at: [0, 0.56, -0.45]}),
   ...placed(box([0.2, 0.1, 0.1], kOrange), {at: [-0.2, 1.04, -0.45]})
 ];
+const front = (size, colour) => covered(box(size, colour), ([, , z]) => z < 0);
 const chest = [
   ...placed(box([0.36, 0.24, 0.1], '#c4cad4', 0.02), {at: [0, 0.58, 0.37]}),
   ...[[-0.1, '#e84838'], [0, '#f0c040'], [0.1, '#48b868']].flatMap(
-      ([x, colour]) => placed(box([0.06, 0.06, 0.04], colour), {at: [x, 0.63, 0.42]})),
-  ...placed(box([0.24, 0.05, 0.03], kDark), {at: [0, 0.53, 0.42]})
+      ([x, colour]) => placed(front([0.06, 0.06, 0.04], colour), {at: [x, 0.63, 0.42]})),
+  ...placed(front([0.24, 0.05, 0.03], kDark), {at: [0, 0.53, 0.42]})
 ];
 // Helmet: a ball with a hole; the visor bulges out of it.
 const kHead = [0, 1.36, 0.02], kHelmet = 0.6;

@@ -1,7 +1,7 @@
 // Makes the models and textures of lighthouse.toml. Public domain. Run: node lighthouse.mjs
 import {occluded, welded, writeModel} from './models.mjs';
 import {writePicture} from './pictures.mjs';
-import {ball, box, card, cylinder, grid, lathe, mix, placed, polygon, random, rgb, scaled} from './shapes.mjs';
+import {ball, box, card, covered, cylinder, grid, lathe, mix, placed, polygon, random, rgb, scaled} from './shapes.mjs';
 
 // The island: rings of rock around grass, uneven; longer from side to side.
 const kStretch = 1.25;
@@ -22,8 +22,10 @@ const island = grid(18, 5, (u, v, i, j) => {
   const grass = mix('#5d7a3c', '#7c9448', random(7 * i + j)), rock = mix('#66544e', '#b09684', random(i % 18 + 5 * j));
   return {point: [x, y, z], colour: j <= 1 ? mix('#453a3c', rock, 0.7 * j) : j === 2 ? rock : grass};
 });
-const stone = (at, size, seed) =>
-    placed(ball(1, 3, 5, mix('#6a5a54', '#8d7a6c', random(seed))), {at, turn: [40 * seed, 70 * seed, 0], scale: size});
+const kLowest = -0.11;  // of the waves
+const stone = (at, size, seed) => covered(
+    placed(ball(1, 3, 5, mix('#6a5a54', '#8d7a6c', random(seed))), {at, turn: [40 * seed, 70 * seed, 0], scale: size}),
+    ([, y]) => y < kLowest);
 const rocks = [
   [[2.9, 0.02, 1.1], [0.32, 0.28, 0.3], 1], [[3.35, -0.02, 0.7], [0.2, 0.16, 0.22], 2],
   [[-2.8, 0, 1.3], [0.36, 0.25, 0.3], 3], [[-1.9, 0.05, 2.05], [0.24, 0.26, 0.22], 4],
@@ -69,10 +71,11 @@ const atHouse = {
   turn: [0, -18, 0]
 };
 const base = 0.9;
+const below = (top) => ([, y]) => y < top;
 const tree = (x, z, s) => placed(
     [
-      ...placed(lathe([[0, 0.62], [0.2, 0.1], [0, 0.14]], 6, '#3f6340'), {at: [0, 0.2, 0]}),
-      ...placed(lathe([[0, 0.5], [0.26, 0], [0, 0.05]], 6, '#355638'), {at: [0, 0.1, 0]}),
+      ...placed(covered(lathe([[0, 0.62], [0.2, 0.1], [0, 0.14]], 6, '#3f6340'), below(0.15)), {at: [0, 0.2, 0]}),
+      ...placed(covered(lathe([[0, 0.5], [0.26, 0], [0, 0.05]], 6, '#355638'), below(0.06)), {at: [0, 0.1, 0]}),
       ...cylinder(0.05, 0.16, 4, '#5c4030').filter((f) => f.points.some((p) => p[1] < 0.1))
     ],
     {at: [x, ground(x, z) - 0.02, z], scale: s});

@@ -6,7 +6,7 @@ import {add, cross, dot, minus, random, times, unit} from './shapes.mjs';
 const key = (values) => values.map((v) => Math.round(v * 1e4)).join();
 const normalOf = ({points: [p, q, r]}) => cross(minus(q, p), minus(r, p));
 
-// Vertices with normals: faces that meet at less than `crease` degrees are smooth.
+// Vertices with normals: faces that meet at less than `crease` degrees are smooth. Faces of covered() stand apart.
 export function welded(faces, crease = 40) {
   const limit = Math.cos(crease * Math.PI / 180), around = new Map();
   const flat = faces.map((f) => ({...f, normal: normalOf(f)}));
@@ -14,7 +14,7 @@ export function welded(faces, crease = 40) {
     for (const p of f.points) around.set(key(p), [...(around.get(key(p)) ?? []), f]);
   }
   const vertices = [], triangles = [], known = new Map();
-  for (const f of flat) {
+  for (const f of flat.filter((face) => !face.covered)) {
     triangles.push(f.points.map((p, i) => {
       const near = around.get(key(p)).filter((g) => dot(unit(g.normal), unit(f.normal)) >= limit);
       const normal = unit(near.reduce((sum, g) => add(sum, unit(g.normal)), [0, 0, 0]));
@@ -26,7 +26,7 @@ export function welded(faces, crease = 40) {
       return known.get(own);
     }));
   }
-  return {vertices, triangles};
+  return {vertices, triangles, covered: flat.filter((f) => f.covered)};
 }
 
 export const joined = (a, b) => ({
@@ -48,8 +48,10 @@ function hit(from, along, triangle, reach) {
 // Darkens vertices by the share of the sky, within `reach`, that faces of `others` and of the mesh itself hide; `dark`
 // is what the deepest corner keeps of its colour.
 export function occluded(mesh, {others = [], reach = 1, rays = 48, dark = [0.3, 0.3, 0.4]} = {}) {
-  const blockers =
-      [...mesh.triangles.map((t) => t.map((i) => mesh.vertices[i].position)), ...others.map((f) => f.points)];
+  const blockers = [
+    ...mesh.triangles.map((t) => t.map((i) => mesh.vertices[i].position)),
+    ...[...mesh.covered, ...others].map((f) => f.points)
+  ];
   const shares = new Map();
   const share = ({position, normal}) => {
     const at = key([...position, ...normal]);

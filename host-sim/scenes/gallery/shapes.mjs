@@ -174,3 +174,7 @@ export function placed(faces, {at = [0, 0, 0], turn = [0, 0, 0], scale = 1}) {
 export const textured = (faces, texcoord) =>
     faces.map((f) => ({...f, texcoords: f.points.map((p, i) => texcoord(p, f.texcoords[i]))}));
 export const scaled = (faces, scale) => placed(faces, {scale});
+
+// Marks the faces that have all corners `where`: they are in or on something else. Models leave them out; light and
+// normals are those of the whole shape.
+export const covered = (faces, where) => faces.map((f) => (f.points.every(where) ? {...f, covered: true} : f));

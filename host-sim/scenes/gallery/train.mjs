@@ -3,7 +3,7 @@ import fs from 'node:fs';
 
 import {joined, occluded, welded, writeModel} from './models.mjs';
 import {writePicture} from './pictures.mjs';
-import {ball, box, card, extruded, grid, lathe, mix, placed, polygon, random} from './shapes.mjs';
+import {ball, box, card, covered, extruded, grid, lathe, mix, placed, polygon, random} from './shapes.mjs';
 
 const kTrack = 2.3;  // radius of the track's middle
 // Puts what looks along +z onto the track, `degrees` from +z towards +x, the way that the train goes.
@@ -57,9 +57,10 @@ const arch = (w, h) => [
     [-w, 0]];
 const portal = (out) => {
   const mouth = polygon(arch(0.3, 0.72).map(([x, y]) => [x, y, 0.002]), '#15120f');
-  // Without the side that stands in the hill.
+  // Without the sides that stand in the hill and on the ground.
   const stone = extruded(arch(0.42, 0.86), 0.3, '#a89c90').filter((f) => f.points.some(([, , z]) => z > 0));
-  return placed([...placed(stone, {at: [0, 0, -0.3]}), ...mouth], {turn: [0, out ? 0 : 180, 0]});
+  return placed(
+      [...placed(covered(stone, ([, y]) => y === 0), {at: [0, 0, -0.3]}), ...mouth], {turn: [0, out ? 0 : 180, 0]});
 };
 const portals = [...onTrack(portal(true), 217), ...onTrack(portal(false), 143)];
 
@@ -157,13 +158,14 @@ const wheel = (x, z, r) => placed(
         '#4a4a54'),
     {turn: [0, x > 0 ? 90 : -90, 0], at: [x, r, z]});
 const wheels = (zs, r = 0.085) => zs.flatMap((z) => [...wheel(0.185, z, r), ...wheel(-0.185, z, r)]);
+const above = (bottom) => ([, y]) => y > bottom;
 const engine = [
   ...wheels([-0.28, -0.06, 0.18], 0.1),
   ...block([0.32, 0.08, 0.86], '#44444e', {at: [0, 0.15, 0]}),
   ...placed(
       lathe([[0, 0.54], [0.15, 0.54], [0.15, 0.46], [0.15, 0]], 8, ([, y]) => (y > 0.45 ? '#44444e' : '#38a878')),
       {turn: [90, 0, 0], at: [0, 0.33, -0.1]}),
-  ...block([0.36, 0.36, 0.3], '#e85040', {at: [0, 0.36, -0.26]}),
+  ...covered(block([0.36, 0.36, 0.3], '#e85040', {at: [0, 0.36, -0.26]}), above(0.53)),
   ...block([0.42, 0.04, 0.38], '#44444e', {at: [0, 0.56, -0.26]}),
   ...polygon([[0.182, 0.4, -0.16], [0.182, 0.4, -0.36], [0.182, 0.5, -0.36], [0.182, 0.5, -0.16]], '#bfe0f0'),
   ...polygon([[-0.182, 0.4, -0.36], [-0.182, 0.4, -0.16], [-0.182, 0.5, -0.16], [-0.182, 0.5, -0.36]], '#bfe0f0'),
@@ -177,7 +179,7 @@ const wagon = (side, load) =>
      ...block([0.36, 0.07, 0.6], '#44444e', {at: [0, 0.15, 0]}),
      ...block([0.38, 0.2, 0.58], side, {at: [0, 0.27, 0]}),
      ...load,
-     ...block([0.06, 0.05, 0.16], '#44444e', {at: [0, 0.15, 0.36]}),
+     ...covered(block([0.06, 0.05, 0.16], '#44444e', {at: [0, 0.15, 0.36]}), ([, , z]) => z < 0.29),
 ];
 const coal = placed(
     lathe([[0, 0.13], [0.1, 0.1], [0.19, 0]], 7, ([x, y]) => mix('#3a363c', '#66606c', random(Math.round(99 * x)) + y)),
@@ -190,7 +192,7 @@ const logs = [[-0.09, 0.43], [0.09, 0.43], [0, 0.56]].flatMap(
         {turn: [90, 0, 0], at: [x, y, 0]}));
 const coach =
     [
-      ...block([0.38, 0.2, 0.58], '#f0e0b0', {at: [0, 0.45, 0]}),
+      ...covered(block([0.38, 0.2, 0.58], '#f0e0b0', {at: [0, 0.45, 0]}), above(0.54)),
       ...block([0.44, 0.04, 0.66], '#5a6478', {at: [0, 0.57, 0]}),
       ...[1, -1].flatMap(
           (s) => [-0.18, 0, 0.18].flatMap(

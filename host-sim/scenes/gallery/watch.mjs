@@ -98,9 +98,10 @@ const band = (s) => {
       colour: colour(i)
     };
   });
+  // As far as the picture goes.
   const stitches =
       Array
-          .from({length: 9}, (_, n) => [-1, 1].flatMap((side) => {
+          .from({length: 7}, (_, n) => [-1, 1].flatMap((side) => {
             const at = (t) => {
               const k = Math.min(4, Math.floor(t)), f = t - k, p = path[k].map((c, m) => c + (path[k + 1][m] - c) * f);
               return [p[0] + 0.44 * side, p[1], p[2] + 0.055];
