@@ -166,21 +166,4 @@ class BinReader {
   std::uint16_t batch_ = 0;
 };
 
-/// Reads indices of a batch, at most as many as a chunk has, as a list.
-class ListedTriangles {
- public:
-  explicit ListedTriangles(std::span<const std::uint16_t> listed) : rest_(listed) {}
-
-  std::span<const std::uint16_t> rest() const { return rest_; }
-  void take(std::size_t entries) { rest_ = rest_.subspan(entries); }
-  std::span<const std::uint16_t> next_run() {
-    const std::span<const std::uint16_t> run = rest_;
-    rest_ = {};
-    return run;
-  }
-
- private:
-  std::span<const std::uint16_t> rest_;
-};
-
 }  // namespace zstrip::detail

@@ -194,7 +194,7 @@ struct Assembler : NarrowAssembler<effects> {
     with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
   }
 
-  /// Draws the next triangles of the list, a BinReader or ListedTriangles. All are to be drawn.
+  /// Draws the next triangles of the list. All are to be drawn.
   template <class List>
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
                           List& list, bool all_narrow) {

@@ -56,14 +56,20 @@ struct RasterStage {
       const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
       const auto batch = GeometryStage::batch_for<effects>(frame, instance, range.first_vertex, 0);
       const bool all_narrow = GeometryStage::transform<effects>(frame, batch, range, 0);
+      const auto shade = [&](std::uint32_t from, std::uint32_t count) {
+        GeometryStage::shade<effects>(frame, batch, {range.first_vertex + from, count, {}}, from);
+      };
       Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+        const auto draw = [&](std::span<const Triangle> triangles) {
+          AssemblerFor<effects>::draw(complete, batch, triangles, all_narrow);
+        };
         if constexpr (lights_seen_vertices(effects)) {
           if (lights_seen_vertices<effects>(batch, range, all_narrow)) {
-            return draw_seen_faces<effects>(frame, complete, batch, range);
+            return for_seen_faces<effects>(batch, range, complete.area, shade, draw);
           }
         }
-        GeometryStage::shade<effects>(frame, batch, range, 0);
-        AssemblerFor<effects>::draw(complete, batch, range.triangles, all_narrow);
+        shade(0, range.vertex_count);
+        draw(range.triangles);
       });
     };
     if constexpr (methods::hides_by_bounds(effects)) {
@@ -71,21 +77,6 @@ struct RasterStage {
     } else {
       GeometryStage::for_each_meshlet<effects>(frame, draw_meshlet);
     }
-  }
-
-  /// Draws a meshlet whose vertices are lit only when a visible face needs them.
-  template <Effects effects>
-  static void draw_seen_faces(FrameState& frame, const TargetOf<raster_effects(effects)>& target,
-                              const BatchOf<effects>& batch, const MeshletRange& range) {
-    for_seen_faces<effects>(
-        batch, range, target.area,
-        [&](std::uint32_t place, std::uint32_t count) {
-          GeometryStage::shade<effects>(frame, batch, {range.first_vertex + place, count, {}}, place);
-        },
-        [&](std::span<const std::uint16_t> listed) {
-          ListedTriangles list(listed);
-          AssemblerFor<effects>::draw_listed(target, batch, range.triangles, list, true);
-        });
   }
 
   template <Effects effects>

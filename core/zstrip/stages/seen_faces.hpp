@@ -23,16 +23,14 @@ constexpr bool lights_seen_vertices(Effects effects) {
          (!kForSize || effects.has(effect::skins));
 }
 
-/// Meshlets with more vertices, or with more triangles than lists can number, are lit as a whole; so are meshlets that
-/// need clipping, because it takes the stack that the lists would need.
+/// Meshlets with more vertices are lit as a whole; so are meshlets that need clipping.
 inline constexpr std::uint32_t kMaxSeenVertices = 256;
 
 template <Effects effects>
 bool lights_seen_vertices(const BatchOf<effects>& batch, const MeshletRange& range, bool all_narrow) {
   bool shaded = batch.instance->lit;
   if constexpr (effects.has(effect::environment)) shaded = shaded || batch.reflections != nullptr;
-  return (all_narrow || AssemblerFor<effects>::kUnclipped) && shaded && range.vertex_count <= kMaxSeenVertices &&
-         range.triangles.size() <= kMaxListedTriangles;
+  return (all_narrow || AssemblerFor<effects>::kUnclipped) && shaded && range.vertex_count <= kMaxSeenVertices;
 }
 
 /// The vertices of a meshlet that are lit, and those that still have to be.
@@ -64,17 +62,17 @@ class SeenVertices {
 };
 
 /// Calls light(place, count) for the vertices of front faces that may have pixels in the rows of `area`, once for each
-/// vertex, counted from the meshlet's first one; and draw(indices) for these faces, in order, at most as many as a
-/// chunk of a bin has. Vertices are lit before their faces are drawn. No vertex may need the clipping path.
+/// vertex, counted from the meshlet's first one; and draw(triangles) for these faces, in order, a few at a time, whose
+/// vertices are lit by then. No vertex may need the clipping path.
 template <Effects effects, class Light, class Draw>
 void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, const Rect& area, const Light& light,
                     const Draw& draw) {
   SeenVertices vertices;
-  std::array<std::uint16_t, kBinChunkEntries> listed;
+  std::array<Triangle, 16> seen;  // more take more of the stack, and not noticeably less time
   std::size_t count = 0;
-  const auto draw_listed = [&] {
+  const auto draw_seen = [&] {
     vertices.light_wanted(light);
-    draw(std::span<const std::uint16_t>(listed.data(), count));
+    draw(std::span<const Triangle>(seen.data(), count));
     count = 0;
   };
   Facing<effects>::for_each(batch, range.triangles, true, [&](std::uint32_t index, const auto& covered) {
@@ -84,11 +82,12 @@ void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, co
     vertices.want(triangle.a - range.first_vertex);
     vertices.want(triangle.b - range.first_vertex);
     vertices.want(triangle.c - range.first_vertex);
-    listed[count++] = static_cast<std::uint16_t>(index);
-    if (count == kBinChunkEntries) draw_listed();
+    Triangle& next = seen[count++];
+    next.a = triangle.a, next.b = triangle.b, next.c = triangle.c;  // GCC would call memcpy to copy the whole struct
+    if (count == seen.size()) draw_seen();
     return true;
   });
-  if (count != 0) draw_listed();
+  if (count != 0) draw_seen();
 }
 
 }  // namespace zstrip::detail
