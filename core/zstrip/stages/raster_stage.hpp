@@ -64,7 +64,9 @@ struct RasterStage {
           AssemblerFor<effects>::draw(complete, batch, triangles, all_narrow);
         };
         if constexpr (lights_seen_vertices(effects)) {
-          if (lights_seen_vertices<effects>(batch, range, all_narrow)) {
+          // A single strip shows all front faces: finding them pays only for skins, whose light takes more.
+          const bool pays = frame.extents != nullptr || batch.mesh->skinning != nullptr;
+          if (pays && lights_seen_vertices<effects>(batch, range, all_narrow)) {
             return for_seen_faces<effects>(batch, range, complete.area, shade, draw);
           }
         }
