@@ -1,5 +1,6 @@
 // Symbols that are an effect's own. A program that is compiled without inlining has them where it has the effect, and
-// no program has them without.
+// no program has them without. The stages of fragments are in one object: only a linker with sections, that of boards,
+// leaves some of them out.
 #pragma once
 
 #include "zstrip/visibility.hpp"
@@ -28,12 +29,6 @@ inline constexpr Marker kMarkers[] = {
     {effect::fragments, "zstrip::detail::draw_fragment_run<"},
     {effect::fragments, "draw_fragment_triangle"},  // whose name binutils cannot demangle
     {effect::blending, "zstrip::detail::blending::prepare("},
-    {effect::fog, "zstrip::detail::mix_fog("},
-    {effect::blending, "zstrip::detail::mix_behind("},
-    {effect::alpha_test, "zstrip::detail::multiply_alpha("},
-    {effect::bilinear, "zstrip::detail::fetch_bilinear<"},
-    {effect::texture_palettes, "zstrip::detail::fetch_nearest<true>("},
-    {effect::texture_palettes, "zstrip::detail::fetch_words<true>("},
     {effect::mipmaps, "zstrip::detail::level_of("},
     {effect::mipmaps, "zstrip::detail::level_of_run("},
     {effect::mipmaps, "::footprint_at("},
@@ -92,7 +87,6 @@ inline constexpr Marker kMarkers[] = {
     {method::hierarchical_z | method::midpoint_safe, "zstrip::detail::DepthBounds::level_hides("},
     {method::midpoint | method::midpoint_safe, "zstrip::detail::MidpointSplitter<"},
     {method::culling, "MethodStage::is_left_out("},
-    {effect::dithered_colours, "zstrip::detail::dithered_rgb565("},
     {effect::dithered_colours | effect::dithered_format, "zstrip::detail::kBayer"},
     {effect::dithered_format, "zstrip::dither_pixels("},
     {effect::supersampled, "zstrip::detail::samples::Stage::"},
