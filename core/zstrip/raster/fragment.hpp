@@ -67,7 +67,7 @@ struct FragmentPlanes {
   bool unlit = false;  ///< light is 255 everywhere, and changes no texel
   template <Effects needed, class Member>
   using If = MemberIf<effects, needed, Member>;
-  [[no_unique_address]] If<effect::textures, RunTexels> texels;
+  [[no_unique_address]] If<effect::textures, RunTexels> texels{};
   [[no_unique_address]] If<effect::textures, TextureCoordinates<kOrthographic>> coordinates;
   [[no_unique_address]] If<effect::fog, FogPlane<kOrthographic>> fog;
   [[no_unique_address]] If<effect::dithered_colours, DitherAnchor> dither;
