@@ -136,7 +136,7 @@ struct FragmentRun {
     }
   }
 
-  /// Sets the light of a span.
+  /// Sets the row and the light of a span.
   void begin_span(std::int32_t first_column, std::int32_t row) {
     rows = row;
     light.r = planes.light.r.at(first_column, row);
@@ -144,8 +144,8 @@ struct FragmentRun {
     light.b = planes.light.b.at(first_column, row);
   }
 
-  /// Sets what varies between two exact points, `left` or kPerspectiveRun pixels apart, at the pixel `before` behind
-  /// the first one.
+  /// Sets what is stepped between two exact points. The run begins `before` pixels to the right of the first one;
+  /// `left` is step_of_run's.
   void set_ends(const FragmentPoint& from, const FragmentPoint& to, std::int32_t left, std::int32_t before) {
     if constexpr (effects.has(effect::mipmaps)) {
       texels = level_of(planes.texels, level_of_run(from.footprint, to.footprint, planes.storage.smaller_levels));
@@ -314,7 +314,7 @@ template <Effects effects, class Rule>
   for (std::int32_t i = 0; kCounts && i < run.count; ++i) count_pass<kCounts>(counters);
 }
 
-/// What a pixel that passes the depth test does to its cell.
+/// Says what becomes of the cell of a pixel that passes the depth test.
 enum class CellUse : std::uint8_t {
   written,  ///< the pixel is drawn and hides what lies behind it
   kept,     ///< the pixel is drawn, but hides nothing

@@ -68,7 +68,7 @@ template <Effects effects, class Light, class Draw>
 void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, const Rect& area, const Light& light,
                     const Draw& draw) {
   SeenVertices vertices;
-  std::array<Triangle, 16> seen;  // more take more of the stack, and not noticeably less time
+  std::array<Triangle, 16> seen;  // on the stack
   std::size_t count = 0;
   const auto draw_seen = [&] {
     vertices.light_wanted(light);

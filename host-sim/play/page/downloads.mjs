@@ -18,7 +18,7 @@ async function baked(settings, name, pico) {
   return written(words, name);
 }
 
-// As Arduino has it: a folder with the sketch of its name.
+// Arduino wants a folder with the name of its sketch.
 async function sketchFolder(settings, pico) {
   const all = [];
   for (const name of ['scene.ino', 'scene.hpp']) all.push({path: `scene/${name}`, ...await baked(settings, name, pico)});

@@ -49,7 +49,7 @@ function showAccuracy(accuracy) {
 
 const kilobytes = (bytes) => (bytes / 1024).toFixed(bytes < 10240 ? 1 : 0);
 
-// What is asked first, below the picture. Rates are "12" or "8 to 17", or say what a board lacks.
+// Shows below the picture what is asked first. Rates are "12" or "8 to 17", or say what a board lacks.
 function showHeadline(total, {strips, flash_bytes, rates}, board, isShown) {
   const rate = rates[board] ?? '', isRate = /^\d/.test(rate);
   const few = rate.replace(/[\d.]+/g, (digits) => String(Number(Number(digits).toPrecision(2))));

@@ -45,7 +45,7 @@ export async function forgetEdits(scene) {
   await add([text]);
 }
 
-// What a link needs besides the page: of an example its edited text alone.
+// Returns the files that a link carries: those that the page does not have; of an example only its edited text.
 export const ownFilesOf = (scene) => [...own].filter(([path]) => !isExample(scene) || path === scene)
   .map(([path, bytes]) => ({path, bytes}));
 

@@ -84,7 +84,7 @@ export const kPicoPrograms = {pico: 'zstrip_pico_player.uf2', pico2: 'zstrip_pic
 
 const isDigitsOf = (value) => /^-?[0-9]+(\.[0-9]+)?$/.test(value);
 
-// As the command knows scenes by their names.
+// Tells scenes apart by their names, as the command does.
 export const isText = (scene) => /\.toml$/i.test(scene);
 export const isModel = (scene) => scene.includes('.') && !/\.(toml|zsc)$/i.test(scene);
 

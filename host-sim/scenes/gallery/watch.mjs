@@ -98,7 +98,7 @@ const band = (s) => {
       colour: colour(i)
     };
   });
-  // As far as the picture goes.
+  // The picture shows no more of them.
   const stitches =
       Array
           .from({length: 7}, (_, n) => [-1, 1].flatMap((side) => {
