@@ -8,6 +8,7 @@
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/kernels/processor.hpp"
 #include "zstrip/raster/colour.hpp"
+#include "zstrip/raster/fragment_colour.hpp"
 
 namespace zstrip::detail {
 namespace {
@@ -21,10 +22,10 @@ constexpr std::uint32_t red_of(std::uint32_t colour) { return colour >> 16 & 0xF
 constexpr std::uint32_t green_of(std::uint32_t colour) { return colour >> 8 & 0xFF; }
 constexpr std::uint32_t blue_of(std::uint32_t colour) { return colour & 0xFF; }
 
-/// Repeats the upper bits of a channel, so that 31 and 63 become 255; alpha is 0.
+/// Returns expanded() as a word; alpha is 0.
 constexpr std::uint32_t widened(std::uint32_t texel) {
-  const std::uint32_t r = texel >> 11, g = texel >> 5 & 0x3F, b = texel & 0x1F;
-  return ((r << 3) | (r >> 2)) << 16 | ((g << 2) | (g >> 4)) << 8 | ((b << 3) | (b >> 2));
+  const FragmentColour colour = expanded(static_cast<std::uint16_t>(texel));
+  return colour.r << 16 | colour.g << 8 | colour.b;
 }
 
 /// The mean of two colours, the first of weight `share` (0 .. 256), rounded to nearest, without alpha. What a
