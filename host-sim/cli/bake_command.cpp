@@ -24,6 +24,8 @@
 #include "bake/scene_header.hpp"
 #include "bake/shown_edges.hpp"
 #include "bake/unmoved_scene.hpp"
+#include "cli/bake_kind.hpp"
+#include "cli/baked_method.hpp"
 #include "cli/camera_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/output_names.hpp"
@@ -77,32 +79,12 @@ MipmapChoice mipmap_choice(const std::string& word) {
   return word == "off" ? MipmapChoice::off : MipmapChoice::automatic;
 }
 
-enum class Kind { header, sketch, program, blob, pico };
-
-/// True for constants, and for programs that include them.
-bool is_source(Kind kind) { return kind == Kind::header || kind == Kind::sketch || kind == Kind::program; }
-
-Result<Kind> kind_of(const std::string& output) {
-  const std::string extension = lower(std::filesystem::path(output).extension().string());
-  if (extension == ".hpp" || extension == ".h") return Kind::header;
-  if (extension == ".ino") return Kind::sketch;
-  if (extension == ".cpp") return Kind::program;
-  if (extension == ".zsc") return Kind::blob;
-  if (extension == ".uf2") return Kind::pico;
-  return Failure{
-      ExitStatus::usage,
-      fmt::format(
-          "-o '{}' must end in .hpp (C++ constants), .ino or .cpp (a sketch or a program that shows them), .zsc "
-          "(a blob used in place) or .uf2 (a blob for the Raspberry Pi Pico or Pico 2)",
-          output)};
-}
-
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 /// Returns the skins that the output moves; a blob has none.
-BakedSkins skins_of(Kind kind, const Stage& stage) {
+BakedSkins skins_of(BakeKind kind, const Stage& stage) {
   const Model* const model = stage.model();
   if (!stage.bends() || model == nullptr) return {};
   if (!is_source(kind)) {
@@ -113,54 +95,8 @@ BakedSkins skins_of(Kind kind, const Stage& stage) {
   return {model->skins, model->joints, model->rest, stage.joint_animation()};
 }
 
-/// Prepared scenes and visible sets are only for scenes that do not move.
-Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& arguments, const Staging& staging,
-                                  const Animation& animation, const BakedSkins& skins) {
-  if (arguments.visible_sets && !skins.meshes.empty()) {
-    return Failure{ExitStatus::usage,
-                   "--visible-sets are of meshlets that keep their shape, and here joints move their vertices; leave "
-                   "it out"};
-  }
-  if (request.method.any(method::orders)) {
-    const std::string_view name = visibility_name(request.method);
-    if (!animation.tracks.empty() || !skins.meshes.empty()) {
-      return Failure{ExitStatus::usage,
-                     fmt::format("--visibility {} orders triangles that stand still, and here some move; bake with "
-                                 "another method",
-                                 name)};
-    }
-    if (arguments.visible_sets) {
-      return Failure{
-          ExitStatus::usage,
-          fmt::format("--visible-sets are of the scene's meshlets, which --visibility {} splits into others; "
-                      "leave out one of them",
-                      name)};
-    }
-  }
-  return PreparedScene::of(staging, request.method);
-}
-
 /// Returns the effects that the picture's settings choose in addition to the view.
 Effects picture_effects(const PlanRequest& request) { return request.perspective | depth_effect(request.depth_format); }
-
-/// Returns the motion of the one instance that the method makes of all instances: they rotate together, or not at all.
-/// A scene sorted for one camera does not move.
-Result<Turn> turn_of(const Stage& stage, const PlanRequest& request, const Arguments& arguments,
-                     const Staging& original) {
-  if (!request.method.any(method::orders) || stage.turn().what == Turning::nothing) return stage.turn();
-  const bool by_tree = request.method.has(method::bsp);
-  if (by_tree) {
-    if (const std::optional<Turn> turn = turn_of_tree(stage, original.scene.instances.size())) return *turn;
-  }
-  const std::string why = fmt::format(
-      "--visibility {} {}", visibility_name(request.method),
-      by_tree ? "makes one instance of what turns and what does not" : "orders its triangles for one camera");
-  if (arguments.turntable) {
-    return Failure{ExitStatus::usage, why + "; leave out --turntable, or bake with another method"};
-  }
-  print_warning("the baked scene stands still where zstrip render turns it: " + why);
-  return Turn{.what = Turning::nothing};
-}
 
 /// True if both cameras show the same picture of the same scene.
 bool same(const Camera& a, const Camera& b) {
@@ -206,7 +142,7 @@ ClippingRecord choose_clipping(const Arguments& arguments, BakedScene& baked) {
 }
 
 /// Returns the edges that the motion shows, for a header; nothing if all edges stay.
-std::unique_ptr<ShownEdges> choose_edges(Kind kind, const Arguments& arguments, const Staging& at_rest,
+std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const Arguments& arguments, const Staging& at_rest,
                                          const Animation& animation, const Turn& turn, const BakedSkins& skins,
                                          const View& view) {
   const bool moves_as_baked = !animation.tracks.empty() || (arguments.turntable && turn.what != Turning::nothing);
@@ -258,18 +194,18 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
 }
 
 /// `pico_file`: the board and program of a file for a Pico.
-Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, Kind kind, const BakedScene& baked,
+Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, BakeKind kind, const BakedScene& baked,
                                               const Camera& turning_camera, const PicoFile& pico_file,
                                               BakeRecord& record) {
   if (is_source(kind)) {
     const std::string file_name = std::filesystem::path(arguments.output).filename().string();
-    const std::string text = kind == Kind::header   ? to_scene_header(baked, arguments.name_space)
-                             : kind == Kind::sketch ? to_sketch(baked, arguments.name_space)
-                                                    : to_program(baked, arguments.name_space, file_name);
+    const std::string text = kind == BakeKind::header   ? to_scene_header(baked, arguments.name_space)
+                             : kind == BakeKind::sketch ? to_sketch(baked, arguments.name_space)
+                                                        : to_program(baked, arguments.name_space, file_name);
     return std::vector<std::uint8_t>(text.begin(), text.end());
   }
   Result<std::vector<std::uint8_t>> blob = make_blob(baked, turning_camera, record);
-  if (!blob || kind == Kind::blob) return blob;
+  if (!blob || kind == BakeKind::blob) return blob;
   Result<std::vector<std::uint8_t>> file = to_pico_file(*blob, pico_file.program, pico_file.board);
   if (!file) return Failure{file.failure().status, fmt::format("'{}' {}", record.scene, file.failure().message)};
   return file;
@@ -300,56 +236,8 @@ Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
   return Done{};
 }
 
-/// Blobs keep the triangles that a method orders; the program for the Pico does not draw them in that order.
-bool keeps_method(Kind kind, Effects chosen) {
-  return is_source(kind) || (kind == Kind::blob && chosen.any(method::orders));
-}
-
-/// Warns of the scene file's visibility settings that the output does not keep.
-Result<Done> warn_of_method(Kind kind, const std::string& scene, Effects method) {
-  const Result<PictureSettings> settings = settings_of(scene);
-  if (!settings) return settings.failure();
-  const VisibilitySettings& from = settings->visibility;
-  if (kind == Kind::pico) {
-    print_warning("'visibility' of the scene file is left out: the program for the Pico draws with a z-buffer");
-  } else if (kind == Kind::blob) {
-    std::string options;
-    if (from.iterations) options += fmt::format(" --iterations {}", *from.iterations);
-    if (from.sort_key) options += fmt::format(" --sort-key {}", *from.sort_key);
-    print_warning(fmt::format(
-        "a blob does not keep 'visibility' of the scene file: the program that draws it chooses the method, as zstrip "
-        "render --visibility {}{}{}",
-        visibility_name(method), options, keeps_method(kind, method) ? "" : "; memory is planned with a z-buffer"));
-  } else if (from.iterations || from.sort_key) {
-    print_warning(fmt::format(
-        "a header does not keep '{}' of the scene file: the program that draws it sets that in VisibilityOptions",
-        from.iterations ? "iterations" : "sort_key"));
-  }
-  return Done{};
-}
-
-/// A method that the output does not keep is refused as an option. From a scene file it becomes a warning, and memory
-/// is planned with a z-buffer.
-Result<Done> settle_method(Kind kind, const Arguments& arguments, PlanRequest& request) {
-  if (request.method == Effects{}) return Done{};
-  const bool kept = keeps_method(kind, request.method);
-  if (!arguments.plan.visibility) {
-    if (const Result<Done> warned = warn_of_method(kind, arguments.scene, request.method); !warned) return warned;
-    if (!kept) request.method = {};
-    return Done{};
-  }
-  if (kept) return Done{};
-  return Failure{
-      ExitStatus::usage,
-      fmt::format("--visibility {}: {}; leave it out, or bake a header (-o FILE.hpp), which keeps the method",
-                  visibility_name(request.method),
-                  kind == Kind::pico ? "the program for the Pico draws with a z-buffer"
-                                     : "a blob keeps only painter-newell and painter-bsp, and the program that draws "
-                                       "it chooses any other method")};
-}
-
 Result<Done> run(const Arguments& arguments) {
-  const Result<Kind> kind = kind_of(arguments.output);
+  const Result<BakeKind> kind = bake_kind(arguments.output);
   if (!kind) return kind.failure();
   if (!is_namespace(arguments.name_space)) {
     return Failure{ExitStatus::usage,
@@ -362,7 +250,7 @@ Result<Done> run(const Arguments& arguments) {
   }
   const Result<CellCounts> cells = parse_cells(arguments.cells.value_or("8x2x8"), "--cells");
   if (!cells) return cells.failure();
-  const bool for_pico = *kind == Kind::pico;
+  const bool for_pico = *kind == BakeKind::pico;
   if (!for_pico) {
     const Result<Done> not_given = check_not_for_pico(arguments.pico);
     if (!not_given) return not_given.failure();
@@ -373,7 +261,10 @@ Result<Done> run(const Arguments& arguments) {
   if (for_pico) {
     if (const Result<Done> shown = check_view_for_pico(request->view); !shown) return shown.failure();
   }
-  if (const Result<Done> settled = settle_method(*kind, arguments, *request); !settled) return settled.failure();
+  if (const Result<Done> settled =
+          settle_method(*kind, arguments.scene, arguments.plan.visibility.has_value(), request->method);
+      !settled)
+    return settled.failure();
   if (const Result<Done> checked = check_visibility(
           request->method | picture_effects(*request) | edge_effects(request->edges), depth_option(std::nullopt));
       !checked) {
@@ -410,7 +301,8 @@ Result<Done> run(const Arguments& arguments) {
     if (!drawn) return drawn.failure();
   }
   const BakedSkins skins = skins_of(*kind, **stage);
-  const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation(), skins);
+  const Result<PreparedScene> prepared =
+      prepare_for(request->method, arguments.visible_sets.has_value(), *staging, (*stage)->animation(), skins);
   if (!prepared) return prepared.failure();
   Staging at_rest = prepared->staging();
   const UnmovedScene unmoved(at_rest.scene);
@@ -420,7 +312,7 @@ Result<Done> run(const Arguments& arguments) {
   const MipmappedScene mipmapped(unmoved.scene(), mipmap_choice(arguments.mipmaps));
   const PalettedScene paletted(mipmapped.scene(), texture_choice(arguments.textures));
   at_rest.scene = paletted.scene();
-  const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);
+  const Result<Turn> turn = turn_of(**stage, request->method, arguments.turntable, *staging);
   if (!turn) return turn.failure();
   if (for_pico) {
     request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, *pico_file);
@@ -435,9 +327,9 @@ Result<Done> run(const Arguments& arguments) {
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   if (shown) baked->edges_left_out = shown->left_out();
-  if (*kind == Kind::sketch || *kind == Kind::program) {
-    const Result<Done> drawn = *kind == Kind::sketch ? check_for_sketch(*baked, arguments.name_space)
-                                                     : check_for_program(*baked, arguments.name_space);
+  if (*kind == BakeKind::sketch || *kind == BakeKind::program) {
+    const Result<Done> drawn = *kind == BakeKind::sketch ? check_for_sketch(*baked, arguments.name_space)
+                                                         : check_for_program(*baked, arguments.name_space);
     if (!drawn) return drawn.failure();
   }
   std::optional<ClippingRecord> clipping;
