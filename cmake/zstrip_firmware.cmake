@@ -30,6 +30,7 @@ foreach(cpu IN LISTS processors)
     BINARY_DIR ${PROJECT_BINARY_DIR}/firmware/${cpu}
     STAMP_DIR ${PROJECT_BINARY_DIR}/firmware/stamps
     TMP_DIR ${PROJECT_BINARY_DIR}/firmware/temporary
+    DEPENDS zstrip_scenes
     CMAKE_ARGS
       -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/cmake/toolchains/${toolchain}.cmake
       -DCMAKE_BUILD_TYPE=Release
@@ -38,6 +39,7 @@ foreach(cpu IN LISTS processors)
       -DZSTRIP_TESTS=OFF
       -DZSTRIP_LONG_TESTS=${ZSTRIP_LONG_TESTS}
       -DZSTRIP_PRECOMPILED=ON
+      -DZSTRIP_SCENES_TABLES=$<TARGET_FILE:zstrip_scenes>
       -DZSTRIP_WARNINGS_AS_ERRORS=${ZSTRIP_WARNINGS_AS_ERRORS}
       -DZSTRIP_FIRMWARE_BINARIES=${ZSTRIP_FIRMWARE_BINARIES}
       -DZSTRIP_SCENE=${ZSTRIP_SCENE}
