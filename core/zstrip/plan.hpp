@@ -26,8 +26,8 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
 constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan);
 
 /// Estimates the cost of begin_frame and all strips of a frame that did this `work`. Fitted to the workloads of `zstrip
-/// bench` in strips of 8 to 480 rows; 97 % of the estimates are within 15 % (docs/performance.md, "Estimates"). Effects
-/// that no workload has are not included, except samples.
+/// bench`, to the gallery and to scenes of single effects; nearly all are within 15 % (docs/performance.md,
+/// "Estimates"). Edges, overlays and effect::csg are not included.
 constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan,
                                        const Work& work);
 

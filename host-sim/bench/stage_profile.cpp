@@ -147,6 +147,7 @@ Result<Statistics> count_work(const BenchCase& bench_case) {
     sum.vertices += s.vertices;
     sum.fragments += s.fragments;
     sum.depth_passes += s.depth_passes;
+    for (std::size_t kind = 0; kind < kWorkKinds; ++kind) sum.work.of[kind] += s.work.of[kind];
   }
   return sum;
 }

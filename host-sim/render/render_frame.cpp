@@ -62,6 +62,8 @@ void add(Statistics& sum, const Statistics& all, const Statistics& after_begin) 
   sum.vertices += all.vertices - after_begin.vertices;
   sum.fragments += all.fragments - after_begin.fragments;
   sum.depth_passes += all.depth_passes - after_begin.depth_passes;
+  for (std::size_t kind = 0; kind < kWorkKinds; ++kind)
+    sum.work.of[kind] += all.work.of[kind] - after_begin.work.of[kind];
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "report/frame_record.hpp"
 #include "report/heat_json.hpp"
 #include "report/ram_json.hpp"
+#include "report/work_names.hpp"
 #include "visibility/methods.hpp"
 
 namespace zstrip::sim {
@@ -38,6 +39,10 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
         {"vertices", statistics.vertices},
         {"fragments", statistics.fragments},
         {"depth_passes", statistics.depth_passes}}}};
+  for (std::size_t kind = 0; kind < kWorkKinds; ++kind) {
+    if (statistics.work.of[kind] != 0)
+      object["statistics"]["work"][std::string(kWorkNames[kind])] = statistics.work.of[kind];
+  }
   if (has_panel) object["bus"] = {{"bytes", frame.bus.bytes}, {"time_ns", frame.bus.nanoseconds}};
   if (frame.wrong) object["wrong_pixels"] = *frame.wrong;
   if (frame.heat) object["accuracy"] = heat_json(*frame.heat);

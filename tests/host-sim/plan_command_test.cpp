@@ -49,10 +49,8 @@ TEST_F(Command, PlanSaysWhichEffectsItsEstimateLeavesOut) {
   EXPECT_EQ(left_out({"knot_textured"}), Names{});
   EXPECT_EQ(left_out({"teapot", "--samples", "4"}), Names{});
   EXPECT_EQ(left_out({"character"}), Names{});
-  EXPECT_EQ(left_out({"fog"}), Names{"fog"});
-  EXPECT_EQ(left_out({"bilinear"}), Names{"bilinear"});
-  EXPECT_EQ(left_out({"teapot", "--dither"}), Names{"dithered_colours"});
-  EXPECT_EQ(left_out({ZSTRIP_SCENE_FILES "/gallery/robot.toml"}), Names{"shadows"});
+  EXPECT_EQ(left_out({ZSTRIP_SCENE_FILES "/gallery/robot.toml"}), Names{});
+  EXPECT_EQ(left_out({"fog", "--edges"}), Names{"edges"});
 }
 
 TEST_F(Command, PlanListsAPurposeOnlyIfTheSceneHasIt) {

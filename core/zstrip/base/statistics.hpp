@@ -1,9 +1,55 @@
 // Counts of the work of a frame. Only renderers built with effect::statistics count.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace zstrip {
+
+/// Work that not every scene makes. Triangles and fragments are those of Statistics::covering and fragments, and those
+/// that shadows draw in addition; all others are plain.
+enum class WorkKind : std::uint8_t {
+  textured_triangles,      ///< without light, nearest texels
+  textured_fragments,      ///< theirs
+  lit_textured_triangles,  ///< with light, nearest texels
+  lit_textured_fragments,  ///< theirs
+  staged_triangles,        ///< whose fragments have effects
+  staged_fragments,        ///< theirs
+  staged_textures,         ///< of these triangles, those with texels
+  spans,                   ///< rows of staged triangles
+  runs,                    ///< neighbouring fragments of theirs that are drawn together
+  runs_of_levels,          ///< runs of textures with smaller levels
+  nearest_texels,          ///< fragments in a run, as all below down to `dithered`
+  bilinear_texels,
+  texel_alphas,
+  lit_texels,
+  lit_fragments,  ///< light at pixels
+  masked,
+  fogged,
+  blended,
+  dithered,
+  lit_vertices,         ///< vertices whose colour is computed, counted in each strip
+  lights_of_vertices,   ///< point and spot lights on these vertices
+  shining_vertices,     ///< lights of all kinds on these vertices, where the material has highlights
+  mirroring_vertices,   ///< with an environment map
+  clips,                ///< triangles that are clipped, tried in each strip
+  cells_of_shadow_map,  ///< cells of the whole map
+  shadow_samples,       ///< pixels that are looked up in the map
+  hull_vertices,        ///< of outlines
+  vertices_again,       ///< for the map and for pixels in shadow, as the next two
+  triangles_again,
+  fragments_again,
+  fragments_of_quadrics,
+  fragments_of_lines,
+};
+inline constexpr std::size_t kWorkKinds = static_cast<std::size_t>(WorkKind::fragments_of_lines) + 1;
+
+struct WorkCounts {
+  std::uint32_t of[kWorkKinds] = {};
+
+  constexpr std::uint32_t& operator[](WorkKind kind) { return of[static_cast<std::size_t>(kind)]; }
+  constexpr std::uint32_t operator[](WorkKind kind) const { return of[static_cast<std::size_t>(kind)]; }
+};
 
 struct Statistics {
   std::uint32_t triangles = 0;  ///< sum over all instances, before any culling
@@ -14,6 +60,7 @@ struct Statistics {
   std::uint32_t vertices = 0;   ///< transformed vertices; in Mode::streamed counted again for each strip
   std::uint32_t fragments = 0;  ///< pixels covered by triangles, before the depth test
   std::uint32_t depth_passes = 0;  ///< fragments that were written
+  WorkCounts work{};
 };
 
 namespace detail {

@@ -1,6 +1,10 @@
 // Estimates the instructions of a frame on a Cortex-M3 from its work, and the work of a plan from counts alone.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/budget.hpp"
 #include "zstrip/effects.hpp"
@@ -11,23 +15,61 @@ namespace detail {
 /// Instructions. A least-squares fit of relative errors over 190 frames of the workloads, for bins over 112 frames;
 /// then, for skins and textures, over 60 frames of `character`, K5T, CT and `room`.
 inline constexpr std::uint64_t kCostOfVertex = 100;
-inline constexpr std::uint64_t kCostOfLighting = 27;   // a vertex
 inline constexpr std::uint64_t kCostOfSkin = 160;      // a vertex that joints move, normal included
 inline constexpr std::uint64_t kCostOfCulling = 58;    // a triangle, each time that its vertices are transformed
 inline constexpr std::uint64_t kCostOfBinning = 31;    // a triangle, once
 inline constexpr std::uint64_t kCostOfBinBoxes = 30;   // in addition, with both sides or in columns of strips
 inline constexpr std::uint64_t kCostOfBin = 20;        // a triangle in a strip's list
 inline constexpr std::uint64_t kCostOfSetup = 56;      // a triangle in a strip
-inline constexpr std::uint64_t kCostOfTexture = 970;   // in addition, a textured triangle in a strip
 inline constexpr std::uint64_t kCostOfRow = 134;       // a row of a triangle, counted as in rows_of
-inline constexpr std::uint64_t kCostOfAveraging = 16;  // a pixel of several samples
+inline constexpr std::uint64_t kCostOfAveraging = 16;  // a pixel of two samples
+inline constexpr std::uint64_t kCostOfFour = 52;       // a pixel of four samples
+inline constexpr std::uint64_t kCostOfClipped = 2499;  // a triangle that is cut, in a strip
 inline constexpr std::uint64_t kCostOfMeshlet = 169;   // a meshlet in each strip, streamed
 inline constexpr std::uint64_t kCostOfBatch = 60;      // a meshlet in each strip, binned
 /// In eighths of an instruction.
-inline constexpr std::uint64_t kCostOfPixel = 15;      // a pixel of a triangle, in addition to its row
-inline constexpr std::uint64_t kCostOfTexel = 146;     // a pixel with unlit texels
-inline constexpr std::uint64_t kCostOfLitTexel = 321;  // a pixel with lit texels
-inline constexpr std::uint64_t kCostOfClearing = 12;   // a pixel or sample
+inline constexpr std::uint64_t kCostOfPixel = 15;     // a pixel of a plain triangle, in addition to its row
+inline constexpr std::uint64_t kCostOfClearing = 12;  // a pixel or sample
+inline constexpr std::uint64_t kCostOfMono = 248;     // a pixel dithered to a format of few bits
+
+/// Eighths of an instruction for each kind of work, in addition to what each vertex, triangle and, without stages, row
+/// takes. Textures as above. Stages, light of vertices, clips and shadows: fitted over 48 frames of the six scenes of
+/// the gallery, near what their functions take; what these scenes lack is from docs/measured/effects.csv.
+inline constexpr std::uint32_t kCostOfWork[] = {
+    970 * 8,   // textured_triangles
+    146,       // textured_fragments
+    970 * 8,   // lit_textured_triangles
+    321,       // lit_textured_fragments
+    928 * 8,   // staged_triangles
+    84,        // staged_fragments
+    805 * 8,   // staged_textures
+    86 * 8,    // spans
+    160 * 8,   // runs
+    376 * 8,   // runs_of_levels
+    185,       // nearest_texels
+    829,       // bilinear_texels
+    106,       // texel_alphas
+    174,       // lit_texels
+    680 * 8,   // lit_fragments
+    54 * 8,    // masked
+    280,       // fogged
+    404,       // blended
+    150 * 8,   // dithered
+    60 * 8,    // lit_vertices
+    222 * 8,   // lights_of_vertices
+    398 * 8,   // shining_vertices
+    328 * 8,   // mirroring_vertices
+    3794 * 8,  // clips
+    95 * 8,    // cells_of_shadow_map
+    145 * 8,   // shadow_samples
+    118 * 8,   // hull_vertices
+    0,         // vertices_again, which are counted as vertices
+    550 * 8,   // triangles_again, as no kernel draws those of the map
+    0,         // fragments_again
+    340 * 8,   // fragments_of_quadrics
+    26 * 8,    // fragments_of_lines
+};
+static_assert(std::size(kCostOfWork) == kWorkKinds);
 
 constexpr std::uint32_t rough_square_root(std::uint64_t value) {
   std::uint64_t root = 0;
@@ -44,15 +86,25 @@ constexpr std::uint64_t rows_of(std::uint64_t covering, std::uint64_t fragments)
 
 }  // namespace detail
 
-/// The work of a frame, counted or expected.
+/// The work of a frame, counted or expected. Counts are those of all strips.
 struct Work {
   std::uint64_t vertices = 0;   ///< transformed vertices; each transform counts
-  std::uint64_t covering = 0;   ///< triangles that are set up, counted in each strip
+  std::uint64_t covering = 0;   ///< triangles that are set up
   std::uint64_t fragments = 0;  ///< fragments of all triangles
-  std::uint64_t rows = 0;       ///< rows of triangles, counted in each strip
+  std::uint64_t rows = 0;       ///< rows of triangles without stages
+  std::uint64_t clipped = 0;    ///< triangles that are cut
+  WorkCounts kinds{};
 };
 constexpr Work work_of(const Statistics& done) {
-  return {done.vertices, done.covering, done.fragments, detail::rows_of(done.covering, done.fragments)};
+  const WorkCounts& kinds = done.work;
+  Work work{.vertices = done.vertices + kinds[WorkKind::vertices_again],
+            .covering = done.covering + kinds[WorkKind::triangles_again],
+            .fragments = done.fragments + kinds[WorkKind::fragments_again],
+            .clipped = done.clipped,
+            .kinds = kinds};
+  work.rows = detail::rows_of(work.covering - kinds[WorkKind::staged_triangles],
+                              work.fragments - kinds[WorkKind::staged_fragments]);
+  return work;
 }
 
 namespace detail {
@@ -91,6 +143,44 @@ constexpr FacingParts facing_triangles(const SceneCounts& counts, Effects effect
   return facing_parts(counts.triangles, 2, eighths, effects, view, plan);
 }
 
+/// Sets the kinds of work of a scene in which every triangle has all `effects`.
+constexpr void expect_kinds(Work& work, const SceneCounts& counts, Effects effects) {
+  const auto triangles = static_cast<std::uint32_t>(work.covering), rows = static_cast<std::uint32_t>(work.rows);
+  const auto fragments = static_cast<std::uint32_t>(work.fragments);
+  const auto set = [&](Effects needed, WorkKind kind, std::uint32_t count) {
+    if (effects.any(needed)) work.kinds[kind] = count;
+  };
+  if (effects.any(effect::fragments)) {
+    work.kinds[WorkKind::staged_triangles] = triangles;
+    work.kinds[WorkKind::staged_fragments] = fragments;
+    work.kinds[WorkKind::spans] = rows;
+    work.kinds[WorkKind::runs] = rows + fragments / 16;
+    work.rows = 0;
+    set(effect::textures, WorkKind::staged_textures, triangles);
+    const bool bilinear = effects.has(effect::bilinear);
+    set(effect::textures, bilinear ? WorkKind::bilinear_texels : WorkKind::nearest_texels, fragments);
+    set(effect::texture_alpha, WorkKind::texel_alphas, fragments);
+    if (effects.has(effect::textures)) set(effect::lighting, WorkKind::lit_texels, fragments);
+    set(effect::pixel_shading, WorkKind::lit_fragments, fragments);
+    set(effect::mipmaps, WorkKind::runs_of_levels, rows + fragments / 16);
+    set(effect::alpha_test, WorkKind::masked, fragments);
+    set(effect::fog, WorkKind::fogged, fragments);
+    set(effect::blending, WorkKind::blended, fragments);
+    set(effect::dithered_colours, WorkKind::dithered, fragments);
+  } else if (effects.has(effect::textures)) {
+    const bool lit = effects.has(effect::lighting);
+    work.kinds[lit ? WorkKind::lit_textured_triangles : WorkKind::textured_triangles] = triangles;
+    work.kinds[lit ? WorkKind::lit_textured_fragments : WorkKind::textured_fragments] = fragments;
+  }
+  // Strips do not light what only shows where a meshlet lies, and then the vertices of half of the faces.
+  const bool once = work.vertices == counts.vertices;
+  const auto lit_vertices = static_cast<std::uint32_t>(once ? work.vertices : (work.vertices - counts.vertices) / 2);
+  set(effect::lighting, WorkKind::lit_vertices, lit_vertices);
+  set(effect::punctual_lights, WorkKind::lights_of_vertices, lit_vertices);
+  set(effect::specular, WorkKind::shining_vertices, lit_vertices);
+  set(effect::environment, WorkKind::mirroring_vertices, lit_vertices);
+}
+
 constexpr Work expected_work(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan) {
   const FacingParts triangles = facing_triangles(counts, effects, view, plan);
   Work work{.vertices = counts.vertices,
@@ -102,6 +192,7 @@ constexpr Work expected_work(const SceneCounts& counts, Effects effects, const V
     const std::uint64_t visits = facing_meshlets(counts, effects, view, plan).visits();
     work.vertices += counts.vertices * ((visits << 8) / (counts.meshlets > 1 ? counts.meshlets : 1)) >> 8;
   }
+  expect_kinds(work, counts, effects);
   return work;
 }
 
@@ -114,14 +205,15 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effect
   // The triangles of a meshlet are culled each time that its vertices are transformed.
   const std::uint64_t passes = (work.vertices << 8) / (counts.vertices > 1 ? counts.vertices : 1);  // 24.8
   const std::uint64_t culled = counts.triangles * passes >> 8;
-  const std::uint64_t pixel = !effects.has(effect::textures)  ? kCostOfPixel
-                              : effects.has(effect::lighting) ? kCostOfLitTexel
-                                                              : kCostOfTexel;
-  std::uint64_t cost = work.vertices * kCostOfVertex + culled * kCostOfCulling + work.covering * kCostOfSetup +
-                       work.rows * kCostOfRow + (work.fragments * pixel + pixels * view.samples * kCostOfClearing) / 8;
-  if (effects.has(effect::lighting)) cost += work.vertices * kCostOfLighting;
+  const WorkCounts& kinds = work.kinds;
+  const std::uint64_t plain = work.fragments - kinds[WorkKind::textured_fragments] -
+                              kinds[WorkKind::lit_textured_fragments] - kinds[WorkKind::staged_fragments];
+  std::uint64_t eighths = plain * kCostOfPixel + pixels * view.samples * kCostOfClearing;
+  for (std::size_t kind = 0; kind < kWorkKinds; ++kind) eighths += std::uint64_t{kinds.of[kind]} * kCostOfWork[kind];
+  std::uint64_t cost = work.vertices * kCostOfVertex + culled * kCostOfCulling + work.clipped * kCostOfClipped +
+                       (work.covering - kinds[WorkKind::staged_triangles]) * kCostOfSetup + work.rows * kCostOfRow +
+                       eighths / 8;
   if (effects.has(effect::skins)) cost += work.vertices * kCostOfSkin;
-  if (effects.has(effect::textures)) cost += work.covering * kCostOfTexture;
   const std::uint64_t meshlets = std::uint64_t{counts.meshlets} * plan.strips;  // in strips
   if (plan.mode == Mode::binned) {
     cost += culled * kCostOfBinning + work.covering * kCostOfBin + meshlets * kCostOfBatch;
@@ -129,7 +221,8 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effect
   } else {
     cost += meshlets * kCostOfMeshlet;
   }
-  if (view.samples != 1) cost += pixels * kCostOfAveraging;
+  if (effects.has(effect::dithered_format)) cost += pixels * kCostOfMono / 8;
+  if (view.samples != 1) cost += pixels * (view.samples == 2 ? kCostOfAveraging : kCostOfFour);
   return cost;
 }
 

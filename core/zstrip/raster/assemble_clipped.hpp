@@ -17,7 +17,7 @@ namespace zstrip::detail {
 
 /// Counts a triangle as drawn in the first strip that it touches, so that strips add up to the frame, and as covering
 /// in every strip in which it has fragments. Does nothing without statistics.
-template <bool statistics>
+template <bool statistics, Shade shade>
 class CountedTriangle {
  public:
   CountedTriangle(const StripTarget& target, std::int32_t first_column, std::int32_t first_row) {
@@ -34,7 +34,18 @@ class CountedTriangle {
   CountedTriangle& operator=(const CountedTriangle&) = delete;
   ~CountedTriangle() {
     if constexpr (statistics) {
-      if (counts_->fragments != fragments_before_) ++counts_->covering;
+      const std::uint32_t fragments = counts_->fragments - fragments_before_;
+      if (fragments == 0) return;
+      ++counts_->covering;
+      if constexpr (shade >= Shade::textured) {
+        constexpr bool kStaged = shade == Shade::fragments, kUnlit = shade == Shade::textured;
+        ++counts_->work[kStaged  ? WorkKind::staged_triangles
+                        : kUnlit ? WorkKind::textured_triangles
+                                 : WorkKind::lit_textured_triangles];
+        counts_->work[kStaged  ? WorkKind::staged_fragments
+                      : kUnlit ? WorkKind::textured_fragments
+                               : WorkKind::lit_textured_fragments] += fragments;
+      }
     }
   }
 
@@ -108,7 +119,7 @@ struct ClippedAssembler {
     SurfaceOf<shade> surface{batch.surface};
     surface.flat_colour = Attributes::template flat_colour<shade>(batch, triangle);
     if constexpr (kStatistics) ++target.statistics->clipped;
-    const CountedTriangle<kStatistics> counted(target, box.left, box.top);
+    const CountedTriangle<kStatistics, shade> counted(target, box.left, box.top);
     RasterVertex corner[3];
     while (polygon.cut_triangle(corner)) {
       Attributes::template take_first_colour<shade>(batch, triangle, corner);
@@ -125,6 +136,7 @@ struct ClippedAssembler {
   template <Shade shade>
   [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
     if (ClipperFor<effects>::misses_rows(batch, triangle, target.area)) return;
+    if constexpr (kStatistics) ++target.statistics->work[WorkKind::clips];
     RasterPolygon polygon;
     if (!clip<shade>(batch, triangle, polygon)) return;
     const Rect box = polygon.box();

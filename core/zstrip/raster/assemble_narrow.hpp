@@ -170,7 +170,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     if constexpr (methods::keeps_bounds(kDepth.method())) {
       if (!box.empty() && !may_show(target, box, a, b, c)) return;
     }
-    const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
+    const CountedTriangle<kStatistics, shade> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
                                !methods::guesses(kDepth.method()) && !kDepth.compares_codes();
     // Where runs draw the small triangles, only larger ones get here; vectors also leave some small ones.

@@ -232,6 +232,30 @@ struct FragmentRun {
     write_packed(colours, pixels, count);
   }
 
+  /// Counts the stages of the run.
+  void count_stages(WorkCounts& work) const {
+    const auto pixels = static_cast<std::uint32_t>(count);
+    ++work[WorkKind::runs];
+    if (has_texels()) {
+      bool bilinear = false, alpha = false;
+      if constexpr (effects.has(effect::bilinear)) bilinear = target.fragments.bilinear;
+      if constexpr (kAlpha) alpha = target.fragments.has_texture_alpha;
+      work[bilinear ? WorkKind::bilinear_texels : WorkKind::nearest_texels] += pixels;
+      if (alpha) work[WorkKind::texel_alphas] += pixels;
+      if (!planes.unlit || has_pixel_light()) work[WorkKind::lit_texels] += pixels;
+    }
+    if constexpr (effects.has(effect::mipmaps)) {
+      if (planes.textured && planes.storage.smaller_levels != 0) ++work[WorkKind::runs_of_levels];
+    }
+    if (has_pixel_light()) work[WorkKind::lit_fragments] += pixels;
+    if (discards()) work[WorkKind::masked] += pixels;
+    if constexpr (effects.has(effect::fog)) {
+      if (planes.fogged) work[WorkKind::fogged] += pixels;
+    }
+    if (blends()) work[WorkKind::blended] += pixels;
+    if (dithers()) work[WorkKind::dithered] += pixels;
+  }
+
   bool discards() const { return effects.has(effect::alpha_test) && target.fragments.cutoff != 0; }
   bool blends() const { return effects.has(effect::blending) && target.fragments.blends; }
   bool dithers() const {
@@ -293,6 +317,7 @@ template <Effects effects, class Rule>
                                          [[maybe_unused]] typename Rule::Cell* cells, std::uint16_t* pixels,
                                          Statistics* counters) {
   constexpr bool kCounts = effects.has(effect::statistics);
+  if constexpr (kCounts) run.count_stages(counters->work);
   if (!run.draw_at_once(pixels)) {
     RunColours colours;
     run.shade(pixels, colours);
@@ -362,6 +387,7 @@ template <Effects effects, class DepthPlane, class Rule>
 void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                     FragmentRun<effects>& run, Statistics* counters) {
   constexpr bool kDiscards = effects.has(effect::alpha_test);
+  if constexpr (effects.has(effect::statistics)) ++counters->work[WorkKind::spans];
   auto z = depth.at(span.columns, span.rows);
   run.begin_span(span.columns, span.rows);
   // As in fill_textured, runs are counted from the left end of the whole span, so that they do not depend on the strip.
@@ -425,6 +451,9 @@ void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex&
   FragmentPlanes<effects> planes(triangle.setup, vertices, surface, target);
   if constexpr (effects.has(effect::dithered_colours)) {
     planes.dither = {triangle.anchor_x - target.view_left, triangle.anchor_y - target.view_top, target.dithered};
+  }
+  if constexpr (effects.has(effect::statistics)) {
+    if (planes.textured) ++target.statistics->work[WorkKind::staged_textures];
   }
   FragmentRun<effects> run(planes, target);
   triangle.template walk<effects.has(effect::statistics), true>(

@@ -81,6 +81,9 @@ struct GeometryStage {
     move<effects>(batch, range);
     if constexpr (effects.has(effect::outlines)) {
       if (is_outline(*batch.instance)) {
+        if constexpr (effects.has(effect::statistics)) {
+          frame.statistics.work[WorkKind::hull_vertices] += range.vertex_count;
+        }
         return transform_hull<effects.has(effect::orthographic), depth_format(effects)>(
             *batch.instance, *batch.mesh, frame.origin, range.first_vertex, range.vertex_count, frame.vertices + cache);
       }
@@ -104,10 +107,16 @@ struct GeometryStage {
       skins::move_normals(*batch.mesh, range);
     }
     if constexpr (effects.has(effect::environment)) {
-      if (batch.reflections != nullptr) environment::reflect<effects.has(effect::orthographic)>(frame, batch, range);
+      if (batch.reflections != nullptr) {
+        environment::reflect<effects.has(effect::orthographic)>(frame, batch, range);
+        if constexpr (effects.has(effect::statistics))
+          frame.statistics.work[WorkKind::mirroring_vertices] += range.vertex_count;
+      }
     }
     if constexpr (has_vertex_colours(effects)) {
       if (batch.colours != nullptr && !has_colours_of_mesh<effects>(*batch.instance)) {
+        if constexpr (effects.has(effect::statistics))
+          frame.statistics.work[WorkKind::lit_vertices] += range.vertex_count;
         if constexpr (effects.any(effect::vertex_light)) {
           if (local_light::shade<effects>(frame, batch, range, cache)) return;
         }

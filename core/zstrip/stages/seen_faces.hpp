@@ -17,10 +17,9 @@
 
 namespace zstrip::detail {
 
-/// True if only light reads the normals of vertices. For size only skins are lit so: half a kilobyte of code less.
+/// For size only skins are lit so: half a kilobyte of code less.
 constexpr bool lights_seen_vertices(Effects effects) {
-  return has_vertex_colours(effects) && !effects.any(effect::outlines | effect::pixel_shading) &&
-         (!kForSize || effects.has(effect::skins));
+  return has_vertex_colours(effects) && (!kForSize || effects.has(effect::skins));
 }
 
 /// Meshlets with more vertices are lit as a whole; so are meshlets that need clipping.

@@ -210,7 +210,8 @@ class LineFill {
     for (std::int32_t i = begin; i < end; ++i) {
       const std::int32_t x = columns ? along : i, y = columns ? i : along;
       auto& cell = target_.template depth_row<typename Rule::Cell>(y)[x - area.left];
-      if constexpr (kStatistics) ++target_.statistics->fragments;
+      if constexpr (kStatistics)
+        ++target_.statistics->fragments, ++target_.statistics->work[WorkKind::fragments_of_lines];
       if (!rule_.draws(value(depth), cell)) continue;
       target_.colour_row(y)[x - area.left] = shade_(x, y, static_cast<std::uint32_t>(depth >> kDepthBits));
       count_pass<kStatistics>(target_.statistics);

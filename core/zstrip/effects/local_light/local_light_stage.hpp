@@ -31,6 +31,13 @@ bool shade(FrameState& frame, const Batch& batch, const MeshletRange& range, std
   if (effect_block(frame).has(effect::local_light)) {
     lights = &lights_of(frame);
     shading = &shading_of(frame, static_cast<std::size_t>(batch.instance - frame.instances));
+    if constexpr (effects.has(effect::statistics)) {
+      WorkCounts& work = frame.statistics.work;
+      work[WorkKind::lights_of_vertices] += range.vertex_count * lights->count;
+      if (!is_black(finish.specular)) {
+        work[WorkKind::shining_vertices] += range.vertex_count * (lights->count + instance.light_count);
+      }
+    }
   }
   for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
     const std::uint32_t vertex = range.first_vertex + i;

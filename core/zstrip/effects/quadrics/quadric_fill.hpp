@@ -79,7 +79,8 @@ class QuadricFill {
             *pixel = shade(columns, rows, sign * static_cast<std::int32_t>(root >> direction_shift), depth);
             count_pass<kStatistics>(target.statistics);
           });
-          if constexpr (kStatistics) ++target.statistics->fragments;
+          if constexpr (kStatistics)
+            ++target.statistics->fragments, ++target.statistics->work[WorkKind::fragments_of_quadrics];
         } else if (convex && static_cast<std::int64_t>(step) <= 0) {
           break;
         }

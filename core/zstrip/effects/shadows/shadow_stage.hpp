@@ -83,7 +83,7 @@ struct Stage : NoStage {
     } else {
       part = part_of<Cell>(target, shadowed);
     }
-    const Statistics counted = frame.statistics;
+    [[maybe_unused]] const Statistics counted = frame.statistics;
     Colour* const lit = frame.colours;
     if (frame.mode == Mode::binned) frame.colours = state.colours_in_shadow;
     // No memory to carry triangles to the next strip: those triangles need all lights.
@@ -94,18 +94,31 @@ struct Stage : NoStage {
     leave_light<effects>(frame, 1);
     frame.bins = bins;
     frame.colours = lit;
-    frame.statistics = counted;
+    if constexpr (effects.has(effect::statistics)) {
+      const Statistics all = frame.statistics;
+      frame.statistics = counted;
+      frame.statistics.work = all.work;
+      count_again(frame, all, counted);
+    }
     return {};
   }
 
  private:
+  /// Adds what was drawn again between `before` and `after`.
+  static void count_again(FrameState& frame, const Statistics& after, const Statistics& before) {
+    WorkCounts& work = frame.statistics.work;
+    work[WorkKind::vertices_again] += after.vertices - before.vertices;
+    work[WorkKind::triangles_again] += after.covering - before.covering;
+    work[WorkKind::fragments_again] += after.fragments - before.fragments;
+  }
+
   /// The effects of the map's pipeline: both faces are drawn, and the bias moves them away.
   template <Effects effects>
   static constexpr Effects kCasting = effect::orthographic | effect::depth_state |
-                                      (effects & (effect::quadrics | effect::skins));
+                                      (effects & (effect::quadrics | effect::skins | effect::statistics));
 
   template <Effects casting>
-  static Status draw_map(const FrameState& frame, const Scene& casters, const LightReach& reach, ShadowState& state) {
+  static Status draw_map(FrameState& frame, const Scene& casters, const LightReach& reach, ShadowState& state) {
     FrameState light;
     if (const Status status = prepare_map(light, frame, casters, reach, state); !status) return status;
     if constexpr (casting.has(effect::quadrics)) {
@@ -121,6 +134,10 @@ struct Stage : NoStage {
       const StripTarget target = map_strip(light, strip);
       if (!target.area.empty()) draw_casters<casting>(light, {target, settings}, strip);
       if (const Status status = keep_strip(light, strip, state); !status) return status;
+    }
+    if constexpr (casting.has(effect::statistics)) {
+      count_again(frame, light.statistics, {});
+      frame.statistics.work[WorkKind::cells_of_shadow_map] += std::uint32_t{light.view.width} * light.view.height;
     }
     return {};
   }
@@ -167,6 +184,7 @@ struct Stage : NoStage {
           const std::uint32_t code = *cell;
           *cell = static_cast<Cell>(-1);
           if (code == 0) continue;
+          if constexpr (effects.has(effect::statistics)) ++target.statistics->work[WorkKind::shadow_samples];
           const MapPoint at =
               state.place.template at<effects.has(effect::orthographic), kFormat>(x, y, depth_of_code<kFormat>(code));
           if (!state.hides(at, status)) continue;
