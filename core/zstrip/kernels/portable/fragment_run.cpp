@@ -22,10 +22,18 @@ constexpr std::uint32_t red_of(std::uint32_t colour) { return colour >> 16 & 0xF
 constexpr std::uint32_t green_of(std::uint32_t colour) { return colour >> 8 & 0xFF; }
 constexpr std::uint32_t blue_of(std::uint32_t colour) { return colour & 0xFF; }
 
-/// Returns expanded() as a word; alpha is 0.
+// RGB565 as expanded() widens it, two channels at a time: 33/4 of 5 bits and 65/16 of 6 bits, rounded down.
+/// Returns red and blue.
+constexpr std::uint32_t red_and_blue(std::uint32_t texel) {
+  return ((texel & 0xF800) << 5 | (texel & 0x1F)) * 33 >> 2 & kRedAndBlue;
+}
+/// Returns the greens of two texels, the first in the upper half.
+constexpr std::uint32_t greens(std::uint32_t first, std::uint32_t second) {
+  return ((first >> 5 & 0x3F) << 16 | (second >> 5 & 0x3F)) * 65 >> 4 & kRedAndBlue;
+}
+/// Returns all three as a word; alpha is 0.
 constexpr std::uint32_t widened(std::uint32_t texel) {
-  const FragmentColour colour = expanded(static_cast<std::uint16_t>(texel));
-  return colour.r << 16 | colour.g << 8 | colour.b;
+  return red_and_blue(texel) | ((texel >> 5 & 0x3F) * 65 << 4 & 0xFF00);
 }
 
 /// The mean of two colours, the first of weight `share` (0 .. 256), rounded to nearest, without alpha. What a
@@ -157,7 +165,7 @@ void fetch_bilinear(const RunTexels& texels, const RunPlace& place, std::uint32_
   const std::uint32_t to_column = width == 0 ? 31 : 32 - width, to_row = height == 0 ? 31 : 32 - height;
   // Neighbouring pixels often lie between the same four texels, whose pairs are kept. Green is a pair of the two rows.
   std::uint32_t kept = ~0U;
-  Pair upper, lower, greens, alphas;
+  Pair upper, lower, both_greens, alphas;
   for (std::int32_t i = 0; i < count; ++i, u += step_u, v += step_v) {
     const std::uint32_t x = u >> to_column, row = v >> to_row << width, index = row + x;
     if (index != kept) {
@@ -175,10 +183,9 @@ void fetch_bilinear(const RunTexels& texels, const RunPlace& place, std::uint32_
       } else {
         read.template operator()<TextureFormat::rgb565>();
       }
-      a = widened(a), b = widened(b), c = widened(c), d = widened(d);
-      upper = Pair(a & kRedAndBlue, b & kRedAndBlue);
-      lower = Pair(c & kRedAndBlue, d & kRedAndBlue);
-      greens = Pair(green_of(a) << 16 | green_of(c), green_of(b) << 16 | green_of(d));
+      upper = Pair(red_and_blue(a), red_and_blue(b));
+      lower = Pair(red_and_blue(c), red_and_blue(d));
+      both_greens = Pair(greens(a, c), greens(b, d));
       if constexpr (alpha) {
         alphas = Pair(alpha_at(texels, indices[0]) << 16 | alpha_at(texels, indices[2]),
                       alpha_at(texels, indices[1]) << 16 | alpha_at(texels, indices[3]));
@@ -188,7 +195,7 @@ void fetch_bilinear(const RunTexels& texels, const RunPlace& place, std::uint32_
     const auto between = [down](std::uint32_t above, std::uint32_t below) {  // 16 bits each; the upper half is the mean
       return above * 256 + (below - above) * down;
     };
-    const std::uint32_t above = upper.at(right), below = lower.at(right), green = greens.at(right);
+    const std::uint32_t above = upper.at(right), below = lower.at(right), green = both_greens.at(right);
     std::uint32_t colour = (between(above >> 16, below >> 16) & 0xFF0000) |
                            (between(green >> 16, green & 0xFFFF) >> 8 & 0xFF00) |
                            between(above & 0xFFFF, below & 0xFFFF) >> 16;
