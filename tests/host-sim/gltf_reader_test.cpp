@@ -193,6 +193,23 @@ TEST_F(GltfReader, ExtensionsThatAreRequired) {
             "drawn without: ACME_fur (not known), KHR_materials_transmission (light through surfaces)");
 }
 
+/// Models lost their normal maps, and coats that the file did not list, without a word.
+TEST_F(GltfReader, MapsAndCoatsThatAreNotDrawnAreNamedOnce) {
+  GltfData data;
+  data.add_floats(kCorners, "VEC3");
+  const std::string text = triangle(data, R"("POSITION":0)");
+  const auto warnings = [&](const std::string& materials) {
+    return source("m.gltf", R"({"materials":[)" + materials + "]," + text.substr(1)).warnings;
+  };
+  const std::string bumpy = R"({"normalTexture":{"index":0},"occlusionTexture":{"index":0}})";
+  const std::string coated = R"({"extensions":{"KHR_materials_clearcoat":{"clearcoatFactor":1}}})";
+  const std::string unlit = R"({"normalTexture":{"index":0},"extensions":{"KHR_materials_unlit":{}}})";
+  EXPECT_EQ(warnings(bumpy + "," + coated + "," + bumpy),
+            std::vector<std::string>{"drawn without: KHR_materials_clearcoat (coats of varnish), "
+                                     "normalTexture (normal maps), occlusionTexture (occlusion maps)"});
+  EXPECT_EQ(warnings(unlit), std::vector<std::string>{}) << "its normals light nothing";
+}
+
 TEST_F(GltfReader, DamageIsNamed) {
   GltfData data;
   data.add_floats(kCorners, "VEC3");

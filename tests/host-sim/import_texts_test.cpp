@@ -79,8 +79,8 @@ TEST_F(Import, DiffuseColoursAreLinearWhereAFileSaysBlender) {
 /// Only what is drawn is read of them: any other line refused the model.
 TEST_F(Import, LinesOfMtlThatAreNotKnownAreSkipped) {
   for (const char* line :
-       {"aniso 0", "anisor 0", "Pr .5", "Pm 0", "Ps 0 0 0", "Pc", "Pcr x", "norm -bm 1 n.png", "map_Pr r.png",
-        "map_Pm m.png", "map_Ps s.png", "d -halo 0.5", "Tf spectral a.rfl", "decal t.png", "Ka", "Ni 1,5", "abc"}) {
+       {"aniso 0", "anisor 0", "Pr .5", "Pm 0", "Ps 0 0 0", "Pc", "Pcr x", "map_Pr r.png", "map_Pm m.png",
+        "map_Ps s.png", "d -halo 0.5", "Tf spectral a.rfl", "decal t.png", "Ka", "Ni 1,5", "abc"}) {
     file("m.mtl", std::string("newmtl a\n") + line + "\nKd 1 0 0\n" + line + "\n");
     const Model read = model(file("m.obj", "mtllib m.mtl\nusemtl a\n" + kTriangleObj));
     EXPECT_EQ(read.materials[0].colour, (Colour{255, 0, 0, 255})) << line;
@@ -89,6 +89,8 @@ TEST_F(Import, LinesOfMtlThatAreNotKnownAreSkipped) {
   for (const auto& [line, words] : std::map<std::string, std::string>{{"map_Ke e.png", "without its emission"},
                                                                       {"Ke 0 0 1", "without its emission"},
                                                                       {"Kd spectral a.rfl", "without its colour"},
+                                                                      {"norm -bm 1 n.png", "without: normal maps"},
+                                                                      {"map_Bump n.png", "without: normal maps"},
                                                                       {"map_Kd -s 2 2 1 t.png", "-s and -o"}}) {
     png("t.png", 2, 2, 0xF800);
     file("m.mtl", "newmtl a\n" + line + "\n");

@@ -237,6 +237,9 @@ void warn(const MtlMaterial& material, std::vector<std::string>& warnings) {
   }
 }
 
+/// Keys of maps that change normals, in small letters.
+constexpr std::array<std::string_view, 4> kNormalMaps{"bump", "map_bump", "map_kn", "norm"};
+
 }  // namespace
 
 std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings,
@@ -244,6 +247,7 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
   linear = linear || is_of_blender(text);
   std::string plain;
   std::optional<MtlMaterial> material;
+  bool has_normal_maps = false;
   const auto finish = [&] {
     if (!material) return;
     append(plain, *material, linear);
@@ -259,6 +263,7 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
       defined.emplace(rest);
     }
     if (!material) continue;
+    if (std::ranges::find(kNormalMaps, key) != kNormalMaps.end()) has_normal_maps = true;
     if (key == "kd") {
       material->colour = colour_of(rest);
       material->bad_colour = !material->colour;
@@ -269,6 +274,8 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     if (key == "map_kd") material->texture = rest;
   }
   finish();
+  constexpr std::string_view kWarning = "drawn without: normal maps";  // once for all files of materials
+  if (has_normal_maps && std::ranges::find(warnings, kWarning) == warnings.end()) warnings.emplace_back(kWarning);
   return plain;
 }
 

@@ -1,4 +1,4 @@
-// Extensions of a glTF file.
+// Extensions of a glTF file, and maps of its materials that are not drawn.
 #include "import/gltf/extensions.hpp"
 
 #include <fmt/format.h>
@@ -30,11 +30,11 @@ constexpr std::array<std::string_view, 12> kRead{"EXT_meshopt_compression",
 /// An extension of glTF 1.0; files with it also have materials.
 constexpr std::string_view kTechnique = "KHR_technique_webgl";
 
-/// The features that are missing in the picture without an extension.
+/// The features that are missing in the picture without an extension or a member of a material.
 struct Lacking {
-  std::string_view extension, what;
+  std::string_view name, what;
 };
-constexpr std::array<Lacking, 13> kLacking{{
+constexpr std::array<Lacking, 15> kLacking{{
     {"EXT_lights_image_based", "light of an environment"},
     {"EXT_mesh_gpu_instancing", "copies of meshes"},
     {"KHR_animation_pointer", "animations of materials, lights and cameras"},
@@ -48,6 +48,8 @@ constexpr std::array<Lacking, 13> kLacking{{
     {"KHR_materials_volume", "depth of glass"},
     {kTechnique, "shaders of its own"},
     {"KHR_texture_basisu", "pictures in KTX 2"},
+    {"normalTexture", "normal maps"},
+    {"occlusionTexture", "occlusion maps"},
 }};
 
 std::set<std::string> names_in(const GltfJson& json, const char* key) {
@@ -59,9 +61,25 @@ std::set<std::string> names_in(const GltfJson& json, const char* key) {
   return names;
 }
 
-std::string lacking_of(const std::string& extension) {
-  const auto* const known = std::ranges::find(kLacking, extension, &Lacking::extension);
+std::string lacking_of(const std::string& name) {
+  const auto* const known = std::ranges::find(kLacking, name, &Lacking::name);
   return known == kLacking.end() ? "not known" : std::string(known->what);
+}
+
+/// Returns the extensions and the maps that the file has. Lit materials alone have a use for maps; their extensions
+/// count where the file does not list them, too.
+std::set<std::string> names_used(const GltfJson& json) {
+  std::set<std::string> names = names_in(json, "extensionsUsed");
+  for (std::size_t i = 0; i < count_of(json, "materials"); ++i) {
+    const GltfJson& material = element(member(json, "materials"), i);
+    if (extension(material, "KHR_materials_unlit").is_object()) continue;
+    for (const Lacking& lacking : kLacking) {
+      const std::string name(lacking.name);
+      const char* const key = name.c_str();
+      if (member(material, key).is_object() || extension(material, key).is_object()) names.insert(name);
+    }
+  }
+  return names;
 }
 
 }  // namespace
@@ -79,7 +97,7 @@ Result<Done> check_gltf_extensions(const GltfJson& json, std::vector<std::string
     return Failure{ExitStatus::input,
                    fmt::format("requires what zstrip does not read: {}; export it without", required)};
   }
-  for (const std::string& name : names_in(json, "extensionsUsed")) {
+  for (const std::string& name : names_used(json)) {
     if (!is_read(name)) append(used, name);
   }
   if (!used.empty()) warnings.push_back(fmt::format("drawn without: {}", used));
