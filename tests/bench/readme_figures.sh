@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # readme_figures.sh ROOT: the millions of instructions in the README, and what is now in the table of targets of
-# docs/performance.md, are those of docs/measured/instructions.csv.
+# docs/performance.md, are those of docs/measured/instructions.csv. Below the README's pictures, bytes are those of
+# docs/gallery.md, and frames a second follow from docs/measured/gallery.csv and the cycles of boards.
 set -euo pipefail
 cd "$1"
 failed=0
@@ -56,4 +57,27 @@ check m0 Cortex-M0
 check m3 Cortex-M3
 check m4f Cortex-M4F
 check host x86-64
+
+# cycles BOARD: of an instruction that is counted for a Cortex-M3.
+cycles() {
+  awk -v name="\"$1\"," '/BoardModel\{/ { here = index($0, name) }
+    here && /cycles_per_estimate/ { gsub(/.*\{|,.*/, ""); print; exit }' host-sim/bench/board_model.cpp
+}
+pico=$(cycles pico) pico2=$(cycles pico2)
+
+# caption SCENE: the line below a picture.
+caption() {
+  awk -F ' *[|] *' -v scene="$1" -v pico="$pico" -v pico2="$pico2" '
+    FILENAME ~ /[.]csv$/ { split($0, f, ","); if (f[1] f[2] f[3] f[4] == scene "m3speed22") counted = f[6]; next }
+    $2 == "`" scene "`" && $5 ~ /^[0-9,]+$/ { flash = $3; ram = $5; gsub(/,/, "", flash); gsub(/,/, "", ram) }
+    END {
+      printf "%.1f KB of RAM, %.1f KB of flash; Pico %.1f fps, Pico 2 %.1f fps", ram / 1024, flash / 1024,
+        125e6 / pico / counted, 150e6 / pico2 / counted
+    }
+  ' docs/measured/gallery.csv docs/gallery.md
+}
+for scene in lighthouse astronaut train robot watch chess; do
+  is=$(caption $scene)
+  grep -qF "| $is |" README.md || { echo "README.md: below the picture of $scene stands not: $is"; failed=1; }
+done
 exit $failed
