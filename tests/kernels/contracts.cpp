@@ -1,8 +1,8 @@
 // The list of contracts. Boards are emulated: they take a part of the cases.
 #include "contracts.hpp"
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/medium_triangle.hpp"
-#include "zstrip/kernels/processor.hpp"
 
 namespace zstrip::kernels_test {
 

@@ -9,7 +9,7 @@
 
 #include "random.hpp"
 #include "zstrip/base/statistics.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/target.hpp"
 
 namespace zstrip::kernels_test {
 

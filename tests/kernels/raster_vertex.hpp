@@ -1,8 +1,8 @@
 // A vertex as the span rasteriser takes it.
 #pragma once
 
-#include "zstrip/raster/colour.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/plane.hpp"
 
 namespace zstrip::kernels_test {
 

@@ -9,10 +9,10 @@
 #include "pictures.hpp"
 #include "random.hpp"
 #include "textures.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/depth_fit.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 
 namespace zstrip::kernels_test {

@@ -8,7 +8,7 @@
 #include "random.hpp"
 #include "textures.hpp"
 #include "zstrip/kernels/textured_run.hpp"
-#include "zstrip/raster/textured_span.hpp"
+#include "zstrip/kernels/textured_span.hpp"
 
 namespace zstrip::kernels_test {
 namespace {

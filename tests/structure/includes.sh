@@ -8,7 +8,7 @@ cd "$1"
 # methods and the public headers are beside this order: a file of theirs counts as of the latest stage that it reaches, so
 # that none is a way around the rule.
 beside='effects|kernels|visibility|.*\.hpp'
-stages=(base scene store plan geometry raster resolve stages frame)
+stages=(base scene store plan geometry pixels raster resolve stages frame)
 failed=0
 
 # Every quoted or angled include of the C++ files in a folder, as "file:line:path".

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/depth_format.hpp"

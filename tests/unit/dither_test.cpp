@@ -8,7 +8,7 @@
 #include "dither_oracle.hpp"
 #include "zstrip/base/bayer.hpp"
 #include "zstrip/effects/dithering/dither.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/resolve/convert.hpp"
 
 namespace {

@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/scene/depth_format.hpp"
 
 namespace zstrip::detail {

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "zstrip/kernels/textured_run_state.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

@@ -7,8 +7,8 @@
 
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/portable/list_faces.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb/list_faces.hpp"
 
 namespace zstrip::detail {

@@ -7,22 +7,17 @@
 
 #include <cstdint>
 
-#include "zstrip/kernels/medium_scan.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/base/processor.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
+#include "zstrip/pixels/target.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
+#include "zstrip/pixels/textured_scan.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 
 /// The 64-bit planes of spans take most of the time of a small textured triangle. Left out with -Os.
 inline constexpr bool kHasMediumTextured = !kForSize;
-
-/// The values of a vertex that texels depend on.
-struct TexturedVertex {
-  std::uint32_t depth;  ///< 16.16 codes
-  std::int32_t u, v;    ///< texels, 16.16
-};
 
 struct MediumTexture {
   const TexturedVertex* const (&vertices)[3];

@@ -8,13 +8,13 @@
 
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/medium_scan.hpp"
 #include "zstrip/kernels/portable/medium_triangle.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
 #include "zstrip/kernels/thumb1/medium_planes.hpp"
 #include "zstrip/kernels/vector/medium_triangle.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

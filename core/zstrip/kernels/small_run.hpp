@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/portable/small_run.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb/small_run.hpp"
 #include "zstrip/kernels/thumb2/listed_run.hpp"
 #include "zstrip/kernels/vector/small_triangle.hpp"

@@ -8,14 +8,14 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/portable/small_triangle.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 #include "zstrip/kernels/vector/small_triangle.hpp"
-#include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
+#include "zstrip/pixels/small_scan.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/view.hpp"
 

@@ -7,12 +7,12 @@
 
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/kernels/portable/span.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/vector/span.hpp"
-#include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/triangle_depth.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/triangle_depth.hpp"
 
 namespace zstrip::detail {
 

@@ -2,7 +2,7 @@
 // that of TextureCoordinates<false>::position in C++.
 #pragma once
 
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb1/texel_position.hpp"
 
 namespace zstrip::detail {

@@ -10,14 +10,14 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/kernels/portable/textured_run.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
 #include "zstrip/kernels/thumb/textured_run.hpp"
 #include "zstrip/kernels/vector/textured_run.hpp"
-#include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
 
 namespace zstrip::detail {
 

@@ -8,11 +8,11 @@
 
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/portable/transform.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb1/transform.hpp"
 #include "zstrip/kernels/thumb2/transform.hpp"
 #include "zstrip/kernels/vector/transform.hpp"

@@ -6,7 +6,7 @@
 
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/plane.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 
 namespace zstrip::detail {

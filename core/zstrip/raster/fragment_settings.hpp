@@ -7,7 +7,7 @@
 #include "zstrip/base/bayer.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/effects/fog/fog.hpp"
-#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
 
 namespace zstrip::detail {
 

@@ -1,7 +1,7 @@
 // Cuts a clipped and snapped polygon into triangles that cover it once; see polygon.hpp.
 #include "zstrip/raster/polygon.hpp"
 
-#include "zstrip/raster/edge_walk.hpp"
+#include "zstrip/pixels/edge_walk.hpp"
 
 namespace zstrip::detail {
 

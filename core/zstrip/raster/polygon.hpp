@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "zstrip/geometry/clip.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/plane.hpp"
 
 namespace zstrip::detail {
 

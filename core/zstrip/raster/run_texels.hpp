@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "zstrip/kernels/fragment_run.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
-#include "zstrip/raster/target.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

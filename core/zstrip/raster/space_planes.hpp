@@ -7,7 +7,7 @@
 
 #include "zstrip/base/direction.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/plane.hpp"
 
 namespace zstrip::detail {
 

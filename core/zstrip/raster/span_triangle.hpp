@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "zstrip/kernels/span.hpp"
-#include "zstrip/raster/edge_walk.hpp"
-#include "zstrip/raster/textured_span.hpp"
+#include "zstrip/kernels/textured_span.hpp"
+#include "zstrip/pixels/edge_walk.hpp"
 #include "zstrip/visibility/raster_hooks.hpp"
 #include "zstrip/visibility/traits.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "zstrip/geometry/depth_mapping.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/stages/bounds.hpp"
 #include "zstrip/stages/frame_parts.hpp"

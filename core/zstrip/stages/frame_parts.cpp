@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "zstrip/camera.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/stages/bounds.hpp"
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/plan/scene_counts.hpp"
-#include "zstrip/raster/target.hpp"
 #include "zstrip/stages/effect_block.hpp"
 #include "zstrip/stages/frame_state.hpp"
 

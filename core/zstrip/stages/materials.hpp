@@ -6,8 +6,8 @@
 
 #include "zstrip/effects/fog/curve_of.hpp"
 #include "zstrip/effects/local_light/local_light_stage.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
-#include "zstrip/raster/target.hpp"
 #include "zstrip/stages/frame_parts.hpp"
 
 namespace zstrip::detail {

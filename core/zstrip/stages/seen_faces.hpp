@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/meshlet_range.hpp"
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/raster/facing.hpp"
-#include "zstrip/raster/target.hpp"
 
 namespace zstrip::detail {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "zstrip/kernels/span.hpp"
-#include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
+#include "zstrip/pixels/target.hpp"
 
 namespace zstrip::detail::methods {
 

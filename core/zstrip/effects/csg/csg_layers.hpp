@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
 
 namespace zstrip::detail {
 

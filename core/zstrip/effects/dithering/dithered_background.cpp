@@ -1,7 +1,7 @@
 // Dithers a background of one colour. A separate file, because only pictures in RGB565 with fog link it.
 #include "zstrip/base/bayer.hpp"
 #include "zstrip/effects/dithering/dither.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 
 namespace zstrip {
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "zstrip/effects/edges/edges.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/view.hpp"
 
 namespace zstrip::detail {

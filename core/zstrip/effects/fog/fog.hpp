@@ -8,7 +8,7 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/geometry/distance.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/plane.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

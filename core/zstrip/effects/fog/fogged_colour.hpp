@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "zstrip/effects/fog/fog.hpp"
-#include "zstrip/raster/colour.hpp"
-#include "zstrip/raster/fragment_colour.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/fragment_colour.hpp"
 
 namespace zstrip::detail {
 

@@ -9,8 +9,8 @@
 #include "zstrip/effects/lines/lines.hpp"
 #include "zstrip/geometry/colour_product.hpp"
 #include "zstrip/geometry/segment.hpp"
-#include "zstrip/raster/colour.hpp"
-#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
 #include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {

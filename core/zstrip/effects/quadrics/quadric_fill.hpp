@@ -8,7 +8,7 @@
 #include "zstrip/base/pixel_root.hpp"
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/effects/quadrics/quadric.hpp"
-#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
 #include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {

@@ -9,9 +9,9 @@
 #include "zstrip/effects/fog/fogged_colour.hpp"
 #include "zstrip/effects/quadrics/quadric.hpp"
 #include "zstrip/geometry/light.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/raster/fragment.hpp"
-#include "zstrip/raster/target.hpp"
 
 namespace zstrip::detail {
 

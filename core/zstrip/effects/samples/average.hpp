@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "zstrip/base/bayer.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/view.hpp"
 
 namespace zstrip::detail {

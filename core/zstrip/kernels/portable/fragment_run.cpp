@@ -5,10 +5,10 @@
 #include <cstddef>
 
 #include "zstrip/base/bayer.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/light.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/raster/colour.hpp"
-#include "zstrip/raster/fragment_colour.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/fragment_colour.hpp"
 
 namespace zstrip::detail {
 namespace {

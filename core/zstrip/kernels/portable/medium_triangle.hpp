@@ -5,10 +5,10 @@
 #include <cstdint>
 
 #include "zstrip/base/math.hpp"
-#include "zstrip/kernels/medium_scan.hpp"
-#include "zstrip/raster/colour.hpp"
-#include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

@@ -9,8 +9,8 @@
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/portable/small_triangle.hpp"
-#include "zstrip/kernels/small_scan.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/small_scan.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/view.hpp"
 

@@ -6,9 +6,9 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/small_scan.hpp"
-#include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
+#include "zstrip/pixels/small_scan.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/view.hpp"
 

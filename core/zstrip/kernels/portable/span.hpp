@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "zstrip/base/statistics.hpp"
-#include "zstrip/raster/colour.hpp"
-#include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/triangle_depth.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/triangle_depth.hpp"
 
 namespace zstrip::detail {
 

@@ -6,10 +6,10 @@
 #include "zstrip/base/math.hpp"
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
-#include "zstrip/raster/colour.hpp"
-#include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
 
 namespace zstrip::detail {
 
@@ -56,7 +56,7 @@ struct TexturedRun : LitRunState<State> {
   }
 };
 
-/// Implements fill_runs in C++, for tests: it divides as the loop over a span does (raster/textured_span.hpp).
+/// Implements fill_runs in C++, for tests: it divides as the loop over a span does (kernels/textured_span.hpp).
 template <class Run>
 void fill_runs_portable(Run& run, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
   for (; count != 0; --count) {

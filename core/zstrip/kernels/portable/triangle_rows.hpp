@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "zstrip/kernels/medium_scan.hpp"
 #include "zstrip/kernels/portable/medium_triangle.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
+#include "zstrip/pixels/target.hpp"
 
 namespace zstrip::detail {
 

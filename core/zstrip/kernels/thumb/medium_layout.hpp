@@ -1,10 +1,10 @@
 // The layout of MediumScan for the assembly of medium triangles.
 #pragma once
 
-#include "zstrip/kernels/medium_scan.hpp"
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb/layout.hpp"
 #include "zstrip/kernels/thumb/records.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
 
 // clang-format off
 #define ZSTRIP_MEDIUM_SCAN(field, number)                                          \

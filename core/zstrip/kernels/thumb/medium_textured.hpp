@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
-#include "zstrip/kernels/textured_scan.hpp"
+#include "zstrip/base/processor.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
+#include "zstrip/pixels/textured_scan.hpp"
 
 namespace zstrip::detail {
 

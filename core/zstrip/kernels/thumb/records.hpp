@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb/layout.hpp"
 #include "zstrip/scene.hpp"
 

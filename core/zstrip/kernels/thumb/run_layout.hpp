@@ -1,10 +1,10 @@
 // The layout of the states of runs of texels, for assembly.
 #pragma once
 
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb/layout.hpp"
 #include "zstrip/kernels/thumb/records.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
 
 // clang-format off
 #define ZSTRIP_TEXEL_RUN(field, number)             \

@@ -1,10 +1,10 @@
 // The layout of SmallScan for the assembly of small triangles.
 #pragma once
 
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/small_scan.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb/layout.hpp"
 #include "zstrip/kernels/thumb/records.hpp"
+#include "zstrip/pixels/small_scan.hpp"
 
 // clang-format off
 #define ZSTRIP_SMALL_SCAN(field, number)                                                \

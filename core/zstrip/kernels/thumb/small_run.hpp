@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/small_scan.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/small_scan.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/view.hpp"
 

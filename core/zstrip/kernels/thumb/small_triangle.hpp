@@ -1,8 +1,8 @@
 // The set-up and the scan of small triangles, in assembly for Cortex-M.
 #pragma once
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/processor.hpp"
 
 namespace zstrip::detail {
 

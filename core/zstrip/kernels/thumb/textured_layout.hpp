@@ -1,12 +1,11 @@
 // The layout of TexturedScan for the assembly of medium textured triangles.
 #pragma once
 
-#include "zstrip/kernels/medium_textured.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_scan.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb/layout.hpp"
 #include "zstrip/kernels/thumb/medium_layout.hpp"
 #include "zstrip/kernels/thumb/run_layout.hpp"
+#include "zstrip/pixels/textured_scan.hpp"
 
 // clang-format off
 #define ZSTRIP_TEXTURED_SCAN(field, number)                                                         \

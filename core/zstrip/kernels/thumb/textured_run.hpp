@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
+#include "zstrip/base/processor.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
 
 namespace zstrip::detail {
 

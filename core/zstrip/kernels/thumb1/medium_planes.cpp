@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb/medium_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 

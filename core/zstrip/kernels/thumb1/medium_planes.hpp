@@ -6,8 +6,8 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/medium_scan.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
+#include "zstrip/pixels/plane.hpp"
 
 namespace zstrip::detail {
 

@@ -2,10 +2,10 @@
 // in the high ones.
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
 
-#include "zstrip/kernels/medium_scan.hpp"
 #include "zstrip/kernels/thumb/medium_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 #include "zstrip/kernels/thumb1/medium_edges.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
 
 namespace zstrip::detail {
 

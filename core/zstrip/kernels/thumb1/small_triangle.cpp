@@ -3,9 +3,9 @@
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 
 #include "zstrip/base/division.hpp"
-#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
+#include "zstrip/pixels/small_scan.hpp"
 
 namespace zstrip::detail {
 

@@ -1,7 +1,7 @@
 // The assembly of thumb1/texel_position.hpp.
 #include "zstrip/kernels/thumb1/texel_position.hpp"
 
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 
 namespace zstrip::detail {

@@ -1,5 +1,5 @@
 // The planes of texture coordinates in assembly: TextureCoordinates<false> with ThumbPlanes, and its start_rows().
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb/textured_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 #include "zstrip/kernels/thumb1/medium_planes.hpp"

@@ -1,10 +1,10 @@
 // The assembly of thumb/medium_triangle.hpp: a row of a triangle with all its values in registers.
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
 
-#include "zstrip/kernels/medium_scan.hpp"
 #include "zstrip/kernels/thumb/medium_layout.hpp"
 #include "zstrip/kernels/thumb2/medium_edges.hpp"
 #include "zstrip/kernels/thumb2/medium_plane.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
 
 namespace zstrip::detail {
 

@@ -2,8 +2,8 @@
 // them to the stack and back; this code needs no stack for them.
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 
-#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/thumb/small_layout.hpp"
+#include "zstrip/pixels/small_scan.hpp"
 
 namespace zstrip::detail {
 

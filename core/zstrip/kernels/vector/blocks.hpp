@@ -7,8 +7,8 @@
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/vector/fragments.hpp"
-#include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/target.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 

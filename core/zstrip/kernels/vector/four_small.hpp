@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "zstrip/base/division.hpp"
-#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/vector/vector.hpp"
+#include "zstrip/pixels/small_scan.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 

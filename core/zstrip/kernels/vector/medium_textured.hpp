@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "zstrip/kernels/textured_run_state.hpp"
-#include "zstrip/kernels/textured_scan.hpp"
 #include "zstrip/kernels/vector/vector.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
+#include "zstrip/pixels/textured_scan.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/kernels/medium_scan.hpp"
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/base/processor.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

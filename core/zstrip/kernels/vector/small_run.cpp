@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <utility>
 
-#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/vector/blocks.hpp"
 #include "zstrip/kernels/vector/four_small.hpp"
 #include "zstrip/kernels/vector/medium_blocks.hpp"
 #include "zstrip/kernels/vector/small_triangle.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
+#include "zstrip/pixels/small_scan.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 

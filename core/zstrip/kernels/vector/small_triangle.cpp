@@ -2,8 +2,8 @@
 #include "zstrip/kernels/vector/small_triangle.hpp"
 
 #include "zstrip/base/math.hpp"
-#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/vector/blocks.hpp"
+#include "zstrip/pixels/small_scan.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 

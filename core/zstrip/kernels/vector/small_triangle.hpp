@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

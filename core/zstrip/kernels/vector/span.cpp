@@ -2,7 +2,7 @@
 #include "zstrip/kernels/vector/span.hpp"
 
 #include "zstrip/kernels/vector/interpolated.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 

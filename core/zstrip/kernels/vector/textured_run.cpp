@@ -3,7 +3,7 @@
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/vector/interpolated.hpp"
-#include "zstrip/raster/colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/base/processor.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/geometry/distance.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/plane.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

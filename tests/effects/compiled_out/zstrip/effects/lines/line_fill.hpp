@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/lines/lines.hpp"
-#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
 #include "zstrip/raster/fragment.hpp"
 
 namespace zstrip::detail {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/quadrics/quadric.hpp"
-#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
 
 namespace zstrip::detail {
 

@@ -7,9 +7,9 @@
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/texel_position.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
-#include "zstrip/kernels/textured_scan.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
+#include "zstrip/pixels/textured_scan.hpp"
 
 namespace zstrip::detail {
 

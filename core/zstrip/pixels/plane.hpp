@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "zstrip/base/math.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/processor.hpp"
 
 namespace zstrip::detail {
 

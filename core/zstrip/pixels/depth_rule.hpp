@@ -8,8 +8,8 @@
 
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/depth_mapping.hpp"
-#include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/visibility/method_state.hpp"
 #include "zstrip/visibility/traits.hpp"
 

@@ -7,11 +7,11 @@
 
 #include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/kernels/portable/triangle_rows.hpp"
-#include "zstrip/kernels/textured_scan.hpp"
+#include "zstrip/kernels/texture_coordinates.hpp"
+#include "zstrip/kernels/textured_span.hpp"
 #include "zstrip/kernels/thumb/medium_textured.hpp"
 #include "zstrip/kernels/vector/medium_textured.hpp"
-#include "zstrip/raster/texture_coordinates.hpp"
-#include "zstrip/raster/textured_span.hpp"
+#include "zstrip/pixels/textured_scan.hpp"
 
 namespace zstrip::detail {
 namespace {

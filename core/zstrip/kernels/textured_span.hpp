@@ -6,12 +6,12 @@
 #include <type_traits>
 
 #include "zstrip/base/statistics.hpp"
+#include "zstrip/kernels/texture_coordinates.hpp"
 #include "zstrip/kernels/textured_run.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
-#include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/target.hpp"
-#include "zstrip/raster/texture_coordinates.hpp"
-#include "zstrip/raster/triangle_depth.hpp"
+#include "zstrip/pixels/plane.hpp"
+#include "zstrip/pixels/target.hpp"
+#include "zstrip/pixels/textured_run_state.hpp"
+#include "zstrip/pixels/triangle_depth.hpp"
 
 namespace zstrip::detail {
 

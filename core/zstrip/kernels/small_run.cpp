@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/medium_triangle.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"

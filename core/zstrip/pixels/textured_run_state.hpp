@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/target.hpp"
 
 namespace zstrip::detail {
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/processor.hpp"
-#include "zstrip/raster/edge_walk.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/pixels/edge_walk.hpp"
+#include "zstrip/pixels/target.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/depth_rule.hpp"
+#include "zstrip/pixels/plane.hpp"
 
 namespace zstrip::detail {
 

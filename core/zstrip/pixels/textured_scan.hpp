@@ -3,10 +3,16 @@
 
 #include <cstdint>
 
-#include "zstrip/kernels/medium_scan.hpp"
-#include "zstrip/raster/plane.hpp"
+#include "zstrip/pixels/medium_scan.hpp"
+#include "zstrip/pixels/plane.hpp"
 
 namespace zstrip::detail {
+
+/// The values of a vertex that texels depend on.
+struct TexturedVertex {
+  std::uint32_t depth;  ///< 16.16 codes
+  std::int32_t u, v;    ///< texels, 16.16
+};
 
 /// All values of the rows except their run, in memory: set-up and rows are short only if neither keeps the other's
 /// values in registers.

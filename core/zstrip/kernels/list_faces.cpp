@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "zstrip/kernels/processor.hpp"
+#include "zstrip/base/processor.hpp"
 #include "zstrip/kernels/thumb/records.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 #include "zstrip/kernels/thumb2/triangle_of_words.hpp"

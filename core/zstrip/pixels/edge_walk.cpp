@@ -1,5 +1,5 @@
 // Sets up an edge of wide coordinates in 64 bits; see edge_walk.hpp.
-#include "zstrip/raster/edge_walk.hpp"
+#include "zstrip/pixels/edge_walk.hpp"
 
 #include "zstrip/base/division.hpp"
 
