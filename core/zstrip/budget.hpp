@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/plan/layer_bytes.hpp"
 #include "zstrip/status.hpp"
+#include "zstrip/store/layer_bytes.hpp"
 #include "zstrip/view.hpp"
 
 namespace zstrip {

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "zstrip/effects/samples/samples.hpp"
-#include "zstrip/stages/frame_state.hpp"
+#include "zstrip/state/frame_state.hpp"
 
 namespace zstrip {
 

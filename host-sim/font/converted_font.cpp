@@ -11,7 +11,7 @@
 
 #include "font/characters.hpp"
 #include "import/read_file.hpp"
-#include "zstrip/effects/overlay/valid_overlay.hpp"
+#include "zstrip/scene/valid_overlay.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -14,7 +14,7 @@ std::string to_font_header(const Font& font, const std::string& source, const st
       "// Written by `zstrip font`: make it again rather than edit. The licence of its source goes for it, too.\n"
       "//     const zstrip::Overlay overlay{{.fonts = {{&{}::kFont, 1}}, .labels = labels}};\n"
       "#pragma once\n\n#include <cstdint>\n\n#include \"zstrip/overlay.hpp\"\n"
-      "#include \"zstrip/effects/overlay/valid_overlay.hpp\"\n\nnamespace {} {{\n\n",
+      "#include \"zstrip/scene/valid_overlay.hpp\"\n\nnamespace {} {{\n\n",
       printable(source), counted(font.glyphs.size(), "character"), counted(font.line_height, "pixel"),
       counted(font.glyphs.size_bytes() + font.coverage.size_bytes(), "byte"), name_space, name_space);
   text += "/// Code point, offset, width, height, left, top, advance.\n";

@@ -7,7 +7,7 @@
 #include "render/stage.hpp"
 #include "result.hpp"
 #include "zstrip/plan/depth_choice.hpp"
-#include "zstrip/plan/layer_bytes.hpp"
+#include "zstrip/store/layer_bytes.hpp"
 
 namespace zstrip::sim {
 

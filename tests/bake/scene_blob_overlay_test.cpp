@@ -10,8 +10,8 @@
 #include "bake/scene_blob.hpp"
 #include "blob_sample.hpp"
 #include "zstrip/blob.hpp"
-#include "zstrip/effects/overlay/valid_overlay.hpp"
 #include "zstrip/overlay.hpp"
+#include "zstrip/scene/valid_overlay.hpp"
 
 namespace zstrip::sim::test {
 namespace {

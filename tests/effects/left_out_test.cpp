@@ -15,7 +15,7 @@
 #include "shadows_scene.hpp"
 #include "zstrip/effects/unclipped/narrow_box.hpp"
 #include "zstrip/fixed_renderer.hpp"
-#include "zstrip/stages/bounds.hpp"
+#include "zstrip/state/bounds.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "input.hpp"
-#include "zstrip/effects/overlay/valid_overlay.hpp"
 #include "zstrip/overlay.hpp"
+#include "zstrip/scene/valid_overlay.hpp"
 
 namespace fuzz {
 

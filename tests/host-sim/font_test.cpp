@@ -13,7 +13,7 @@
 #include "font/characters.hpp"
 #include "font/converted_font.hpp"
 #include "support.hpp"
-#include "zstrip/effects/overlay/valid_overlay.hpp"
+#include "zstrip/scene/valid_overlay.hpp"
 
 namespace zstrip::sim::test {
 namespace {

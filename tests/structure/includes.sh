@@ -1,19 +1,44 @@
 #!/usr/bin/env bash
-# includes.sh ROOT: core and hal know nothing of each other or of programs, and no stage of core includes a later one.
-# Only hal/linux includes headers of an operating system.
+# includes.sh ROOT: core and hal know nothing of each other or of programs, and no file of core includes one of a later
+# place. Only hal/linux includes headers of an operating system.
 set -euo pipefail
+shopt -s extglob
 cd "$1"
 
-# In the order in which data flows; a stage may include itself and what stands before it. Effects, kernels, visibility
-# methods and the public headers are beside this order: a file of theirs counts as of the latest stage that it reaches, so
-# that none is a way around the rule.
-beside='effects|kernels|visibility|.*\.hpp'
-stages=(base scene store plan geometry pixels raster resolve stages frame)
+# All of core/zstrip, bottom to top: a file includes those of its own line and of the lines before it. The longest
+# pattern that fits says where a file stands. A public header stands with the folder that it opens.
+order=(
+  'base/* status.hpp'
+  'scene/* @(animation|blob|camera|effects|overlay|scene|skin|view).hpp'
+  'store/*'
+  'budget.hpp'
+  'effects/*/effect.hpp effects/@(changed_instances|effect|exclusions|list|memory|without_wing).hpp
+    visibility/@(depth_bounds|exclusions|memory|method_state|methods|options|traits).hpp'
+  'plan/* plan.hpp'
+  'geometry/* visibility/triangle_order.hpp'
+  'pixels/* kernels/fragment_run.hpp'
+  'kernels/portable/*'
+  'kernels/thumb/*'
+  'kernels/thumb1/*'
+  'kernels/thumb2/*'
+  'kernels/vector/*'
+  'kernels/*'
+  'effects/@(fog/fog|local_light/local_light|outlines/outline).?pp'
+  'raster/*'
+  'resolve/*'
+  'state/* effects/stage.hpp'
+  'effects/*/*'
+  'stages/*'
+  'effects/*/*_stage.?pp'
+  'frame/* effects/stages.hpp @(fixed_renderer|frame|layer|renderer).hpp'
+  'visibility/* visibility.hpp'
+  'zstrip.hpp'
+)
 failed=0
 
 # Every quoted or angled include of the C++ files in a folder, as "file:line:path".
 includes_of() {
-  grep -rnE --include='*.hpp' --include='*.cpp' '^[[:space:]]*#[[:space:]]*include' "$1" |
+  grep -rnE --include='*.hpp' --include='*.cpp' --include='*.inc' '^[[:space:]]*#[[:space:]]*include' "$1" |
     sed -E 's/^([^:]+:[0-9]+):[^<"]*[<"]([^>"]+)[>"].*/\1:\2/'
 }
 
@@ -22,36 +47,29 @@ complain() {
   failed=1
 }
 
-declare -A place included floors
-for i in "${!stages[@]}"; do place[${stages[i]}]=$i; done
-core_includes=$(includes_of core)
-while IFS=: read -r file line path; do
-  if [[ $path == zstrip/* ]]; then included[$file]+="core/$path "; fi
-done <<<"$core_includes"
-
-# floor_of FILE: sets `floor` to the place of the latest stage that a file is of, or reaches.
-floor_of() {
-  local file=$1 next highest=0 room
-  if [ -n "${floors[$file]:-}" ]; then
-    floor=${floors[$file]}
-    return
-  fi
-  room=$(cut -d/ -f3 <<<"$file")
-  if [[ $room =~ ^($beside)$ ]]; then
-    floors[$file]=0
-    for next in ${included[$file]:-}; do
-      floor_of "$next"
-      if [ "$floor" -gt "$highest" ]; then highest=$floor; fi
+declare -A places
+# place_of FILE: sets `place` to the line of a file below core/zstrip.
+place_of() {
+  place=${places[$1]:-}
+  if [ -n "$place" ]; then return; fi
+  local i pattern longest=""
+  for i in "${!order[@]}"; do
+    set -f # shellcheck disable=SC2086 # the patterns of a line
+    for pattern in ${order[i]}; do
+      # shellcheck disable=SC2053 # a pattern
+      if [[ $1 == $pattern && ${#pattern} -gt ${#longest} ]]; then longest=$pattern place=$i; fi
     done
-  else
-    highest=${place[$room]:--1}
-  fi
-  floors[$file]=$highest
-  floor=$highest
+    set +f
+  done
+  places[$1]=$place
 }
 
+while read -r file; do
+  place_of "${file#core/zstrip/}"
+  if [ -z "$place" ]; then complain "$file has no place in the order of core: tests/structure/includes.sh"; fi
+done < <(find core/zstrip -type f)
+
 while IFS=: read -r file line path; do
-  from=$(cut -d/ -f3 <<<"$file")
   # The compiler's own headers for its vectors, each in one place.
   case "$file $path" in
     "core/zstrip/kernels/vector/sse2.hpp emmintrin.h" | "core/zstrip/kernels/vector/neon.hpp arm_neon.h") continue ;;
@@ -66,24 +84,17 @@ while IFS=: read -r file line path; do
     continue
   fi
   # The implementations of kernels are theirs: the header above their folders chooses one.
-  case "$from $path" in
-    "kernels "*) ;;
-    *" zstrip/kernels/"*/*) complain "$file:$line: $from includes $path, which only kernels do" ;;
+  case "$file $path" in
+    core/zstrip/kernels/*) ;;
+    *" zstrip/kernels/"*/*) complain "$file:$line: $path is included, which only kernels do" ;;
   esac
-  floor_of "core/$path"
-  if [ "$floor" -lt 0 ]; then
-    complain "$file:$line: the stage of $path is not one of: ${stages[*]}"
-    continue
+  place_of "${path#zstrip/}"
+  included=$place
+  place_of "${file#core/zstrip/}"
+  if [ -n "$included" ] && [ -n "$place" ] && [ "$included" -gt "$place" ]; then
+    complain "$file:$line: $path stands later: ${order[included]}"
   fi
-  # Only applications include the one header that gives everything.
-  if [ "$path" = zstrip/zstrip.hpp ]; then complain "$file:$line: $path is for applications"; fi
-  if [[ $from =~ ^($beside)$ ]]; then continue; fi
-  if [ -z "${place[$from]:-}" ]; then
-    complain "$file: the stage $from is not one of: ${stages[*]}"
-  elif [ "$floor" -gt "${place[$from]}" ]; then
-    complain "$file:$line: $from includes $path of the later stage ${stages[floor]}"
-  fi
-done <<<"$core_includes"
+done < <(includes_of core)
 
 while IFS=: read -r file line path; do
   case "$file $path" in

@@ -38,7 +38,7 @@ for folder in $core/effects/*/; do
   done
 done
 
-for source in $core/effects/*/*.cpp $core/stages/*.cpp; do
+for source in $core/effects/*/*.cpp $core/{state,stages}/*.cpp; do
   [ -e "$source" ] || continue
   headers=$("$compiler" -std=c++20 -Icore -MM "$source")
   count=$(tr ' ' '\n' <<<"$headers" | awk '/\.hpp$/ { ++count } END { print count + 0 }')

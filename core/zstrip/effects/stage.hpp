@@ -6,7 +6,7 @@
 #include <span>
 
 #include "zstrip/geometry/depth_mapping.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail {
 

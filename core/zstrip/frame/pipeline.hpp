@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "zstrip/stages/frame_state.hpp"
+#include "zstrip/state/frame_state.hpp"
 
 namespace zstrip {
 

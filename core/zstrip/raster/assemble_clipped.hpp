@@ -6,10 +6,10 @@
 #include <type_traits>
 
 #include "zstrip/effects.hpp"
-#include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/clip_triangle.hpp"
 #include "zstrip/raster/fragment.hpp"
+#include "zstrip/raster/lit_corners.hpp"
 #include "zstrip/raster/polygon.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "zstrip/effects.hpp"
-#include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/medium_textured.hpp"
 #include "zstrip/kernels/medium_triangle.hpp"
@@ -15,6 +14,7 @@
 #include "zstrip/kernels/small_triangle.hpp"
 #include "zstrip/raster/assemble_clipped.hpp"
 #include "zstrip/raster/attributes.hpp"
+#include "zstrip/raster/lit_corners.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 #include "zstrip/visibility/traits.hpp"
 

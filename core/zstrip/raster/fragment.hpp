@@ -7,10 +7,10 @@
 #include <cstdint>
 
 #include "zstrip/base/bayer.hpp"
-#include "zstrip/effects/pixel_shading/pixel_light.hpp"
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/kernels/fragment_run.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
+#include "zstrip/raster/pixel_light.hpp"
 #include "zstrip/raster/run_texels.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 

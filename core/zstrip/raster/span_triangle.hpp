@@ -11,7 +11,7 @@
 #include "zstrip/kernels/span.hpp"
 #include "zstrip/kernels/textured_span.hpp"
 #include "zstrip/pixels/edge_walk.hpp"
-#include "zstrip/visibility/raster_hooks.hpp"
+#include "zstrip/raster/method_hooks.hpp"
 #include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "zstrip/effects.hpp"
-#include "zstrip/effects/overlay/valid_overlay.hpp"
 #include "zstrip/scene.hpp"
+#include "zstrip/scene/valid_overlay.hpp"
 #include "zstrip/status.hpp"
 
 namespace zstrip {

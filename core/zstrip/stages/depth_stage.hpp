@@ -6,8 +6,8 @@
 #include "zstrip/geometry/depth_mapping.hpp"
 #include "zstrip/pixels/colour.hpp"
 #include "zstrip/resolve/resolve.hpp"
-#include "zstrip/stages/bounds.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/bounds.hpp"
+#include "zstrip/state/frame_parts.hpp"
 #include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {

@@ -7,8 +7,8 @@
 
 #include "zstrip/effects/blending/draw_order.hpp"
 #include "zstrip/effects/edges/apron.hpp"
-#include "zstrip/effects/environment/environment_stage.hpp"
-#include "zstrip/effects/local_light/local_light_stage.hpp"
+#include "zstrip/effects/environment/reflect.hpp"
+#include "zstrip/effects/local_light/shade.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/shadows/retained_shadow.hpp"
 #include "zstrip/effects/skins/move_meshlet.hpp"
@@ -18,7 +18,7 @@
 #include "zstrip/kernels/transform.hpp"
 #include "zstrip/raster/facing.hpp"
 #include "zstrip/stages/materials.hpp"
-#include "zstrip/visibility/method_stage.hpp"
+#include "zstrip/stages/method_stage.hpp"
 #include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {

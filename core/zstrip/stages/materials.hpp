@@ -5,10 +5,10 @@
 #include <type_traits>
 
 #include "zstrip/effects/fog/curve_of.hpp"
-#include "zstrip/effects/local_light/local_light_stage.hpp"
+#include "zstrip/effects/local_light/kept.hpp"
 #include "zstrip/pixels/target.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail {
 

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "zstrip/effects/stage.hpp"
-#include "zstrip/stages/checks.hpp"
 #include "zstrip/stages/depth_stage.hpp"
+#include "zstrip/state/checks.hpp"
 
 namespace zstrip::detail {
 

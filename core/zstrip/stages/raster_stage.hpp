@@ -5,8 +5,8 @@
 #include <span>
 
 #include "zstrip/stages/geometry_stage.hpp"
+#include "zstrip/stages/method_stage.hpp"
 #include "zstrip/stages/seen_faces.hpp"
-#include "zstrip/visibility/method_stage.hpp"
 #include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {

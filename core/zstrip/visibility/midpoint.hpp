@@ -9,7 +9,7 @@
 
 #include "zstrip/pixels/depth_rule.hpp"
 #include "zstrip/pixels/plane.hpp"
-#include "zstrip/visibility/raster_hooks.hpp"
+#include "zstrip/raster/method_hooks.hpp"
 
 namespace zstrip::detail {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/stages/bounds.hpp"
 #include "zstrip/stages/raster_stage.hpp"
+#include "zstrip/state/bounds.hpp"
 #include "zstrip/visibility/bsp_order.hpp"
 
 namespace zstrip::detail {

@@ -5,7 +5,7 @@
 
 #include "zstrip/effects/blending/effect.hpp"
 #include "zstrip/geometry/distance.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail::blending {
 

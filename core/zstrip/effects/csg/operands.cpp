@@ -3,7 +3,7 @@
 
 #include "zstrip/effects/blending/draw_order.hpp"
 #include "zstrip/geometry/meshlet_range.hpp"
-#include "zstrip/stages/bounds.hpp"
+#include "zstrip/state/bounds.hpp"
 
 namespace zstrip::detail::csg {
 namespace {

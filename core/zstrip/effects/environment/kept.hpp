@@ -3,7 +3,7 @@
 
 #include "zstrip/effects/environment/effect.hpp"
 #include "zstrip/effects/environment/environment.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail::environment {
 

@@ -3,7 +3,7 @@
 
 #include "zstrip/effects/fog/effect.hpp"
 #include "zstrip/effects/fog/fog.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail::fog {
 

@@ -1,7 +1,7 @@
 // Prepares the sets of lines of a frame; only renderers with effect::lines link it.
 #include "zstrip/effects/lines/prepared.hpp"
 
-#include "zstrip/stages/bounds.hpp"
+#include "zstrip/state/bounds.hpp"
 
 namespace zstrip::detail::lines {
 void extend(DistanceRange& reach, const Scene& scene, const Camera& camera) {

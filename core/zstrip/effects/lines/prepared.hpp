@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/lines/lines.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail::lines {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/local_light/local_light.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail::local_light {
 

@@ -3,7 +3,7 @@
 
 #include <new>
 
-#include "zstrip/stages/bounds.hpp"
+#include "zstrip/state/bounds.hpp"
 
 namespace zstrip::detail::outlines {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "zstrip/effects/overlay/text_line.hpp"
-#include "zstrip/effects/overlay/valid_overlay.hpp"
+#include "zstrip/scene/valid_overlay.hpp"
 
 namespace zstrip {
 namespace {

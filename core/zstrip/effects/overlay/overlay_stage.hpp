@@ -1,9 +1,9 @@
 // The hooks of effect::overlay in the stages of a frame: draw over a strip's finished pixels.
 #pragma once
 
-#include "zstrip/effects/overlay/valid_overlay.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/overlay.hpp"
+#include "zstrip/scene/valid_overlay.hpp"
 
 namespace zstrip::detail::overlay {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/quadrics/quadric.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail::quadrics {
 

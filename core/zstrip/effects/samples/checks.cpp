@@ -3,7 +3,7 @@
 
 #include "zstrip/effects/samples/samples.hpp"
 #include "zstrip/plan/record_bytes.hpp"
-#include "zstrip/stages/checks.hpp"
+#include "zstrip/state/checks.hpp"
 
 namespace zstrip::detail::samples {
 

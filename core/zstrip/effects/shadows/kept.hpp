@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/shadows/shadow_map.hpp"
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail::shadows {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <new>
 
-#include "zstrip/stages/bounds.hpp"
+#include "zstrip/state/bounds.hpp"
 
 namespace zstrip::detail {
 

@@ -1,12 +1,12 @@
-// Declares the steps that visibility methods add to the stages. stages.hpp defines them: zstrip/visibility.hpp includes
-// it for renderers with a method.
+// Declares the steps that visibility methods add to the stages. zstrip/visibility.hpp defines them, for renderers
+// with a method.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail {
 

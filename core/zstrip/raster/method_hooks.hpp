@@ -27,8 +27,8 @@ void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::
       });
 }
 
-/// Calls draw(piece, use) for the pieces of a triangle that the method has not found to be hidden. Defined in
-/// midpoint.hpp, which zstrip/visibility.hpp includes.
+/// Calls draw(piece, use) for the pieces of a triangle that the method has not found to be hidden. Defined by
+/// zstrip/visibility.hpp.
 template <DepthMode mode, class Draw>
 void for_each_piece(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
                     const RasterVertex& v2, const Draw& draw);

@@ -10,7 +10,7 @@
 #include "zstrip/geometry/bins.hpp"
 #include "zstrip/geometry/extent.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/stages/depth_ranges.hpp"
+#include "zstrip/state/depth_ranges.hpp"
 #include "zstrip/view.hpp"
 #include "zstrip/visibility/method_state.hpp"
 #include "zstrip/visibility/triangle_order.hpp"

@@ -8,8 +8,8 @@
 #include "zstrip/pixels/target.hpp"
 #include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/plan/scene_counts.hpp"
-#include "zstrip/stages/effect_block.hpp"
-#include "zstrip/stages/frame_state.hpp"
+#include "zstrip/state/effect_block.hpp"
+#include "zstrip/state/frame_state.hpp"
 
 namespace zstrip::detail {
 

@@ -7,8 +7,8 @@
 
 #include "zstrip/base/pixel_direction.hpp"
 #include "zstrip/effects/local_light/local_light.hpp"
-#include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/pixels/fragment_colour.hpp"
+#include "zstrip/raster/lit_corners.hpp"
 #include "zstrip/raster/space_planes.hpp"
 
 namespace zstrip::detail {

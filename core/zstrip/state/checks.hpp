@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 namespace zstrip::detail {
 

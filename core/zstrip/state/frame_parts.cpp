@@ -1,12 +1,12 @@
 // The parts of a frame that do not depend on effects.
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/state/frame_parts.hpp"
 
 #include <algorithm>
 
 #include "zstrip/camera.hpp"
 #include "zstrip/pixels/colour.hpp"
 #include "zstrip/resolve/resolve.hpp"
-#include "zstrip/stages/bounds.hpp"
+#include "zstrip/state/bounds.hpp"
 
 namespace zstrip::detail {
 

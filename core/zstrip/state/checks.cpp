@@ -1,5 +1,5 @@
 // The checks of requests that do not depend on effects.
-#include "zstrip/stages/checks.hpp"
+#include "zstrip/state/checks.hpp"
 
 #include <algorithm>
 #include <utility>

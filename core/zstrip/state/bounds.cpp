@@ -1,5 +1,5 @@
 // Computes the bounds of a frame; see bounds.hpp.
-#include "zstrip/stages/bounds.hpp"
+#include "zstrip/state/bounds.hpp"
 
 #include <algorithm>
 
