@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -35,6 +36,7 @@
 #include "cli/print.hpp"
 #include "image/inputs.hpp"
 #include "image/write_file.hpp"
+#include "import/quantise.hpp"
 #include "render/edged_stage.hpp"
 #include "render/shadow_pool.hpp"
 #include "render/stage.hpp"
@@ -105,6 +107,18 @@ bool same(const Camera& a, const Camera& b) {
          a.fixed_depth_range == b.fixed_depth_range;
 }
 
+/// Returns the pixels of a length of 1 at the scene's centre, the origin.
+double pixels_of_unit(const Camera& camera, const View& view) {
+  const double half_height = from_fixed(camera.focal) * view.height / 2;
+  if (camera.projection == Projection::orthographic) return half_height;
+  const Vec3 &eye = camera.eye, &back = camera.back;
+  constexpr double kAxis = 16384;  // of a unit vector in 2.30 that is read as 16.16
+  const double distance = (from_fixed(eye.x) * from_fixed(back.x) + from_fixed(eye.y) * from_fixed(back.y) +
+                           from_fixed(eye.z) * from_fixed(back.z)) /
+                          kAxis;
+  return half_height / std::max(distance, from_fixed(camera.near_plane));
+}
+
 /// Plans the scene at rest.
 Result<BakedScene> bake(const std::string& scene, const Staging& staging, const Animation& animation, const Turn& turn,
                         const BakedSkins& skins, const PlanRequest& request) {
@@ -171,6 +185,10 @@ BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedS
                     .skin_ram = skin_ram(baked.skins),
                     .edges_left_out = baked.edges_left_out};
   if (model != nullptr) record.accuracy = model->accuracy;
+  if (model != nullptr && model->reduced) {
+    const double length = model->reduced->error * model->units.scale;
+    record.reduced = ReducedTriangles{*model->reduced, length * pixels_of_unit(baked.camera, baked.view)};
+  }
   return record;
 }
 
@@ -390,6 +408,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                                 "painter-newell and painter-bsp, .uf2, .ino and .cpp none",
                                 visibility_names()));
   add_camera_options(*command, a.camera);
+  add_reduction_options(*command, a.camera.reduction);
   command->add_flag("--turntable", a.turntable, "Place the camera so that the model may turn, as for several frames");
   command->add_option("--namespace", a.name_space, "Where a header's constants are, for several in one program")
       ->type_name("NAME")
@@ -437,6 +456,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "  zstrip bake house.obj -o house.zsc --visibility painter-bsp\n"
       "  zstrip bake house.glb -o house.hpp --textures auto\n"
       "  zstrip bake house.glb -o house.zsc --mipmaps on\n"
+      "  zstrip bake truck.glb -o truck.zsc --texture-size 128 --textures palette8 --triangles 25%\n"
       "  zstrip render scene.zsc --size 320x240");
   command->callback([arguments, &exit_code] {
     const Result<Done> done = run(*arguments);

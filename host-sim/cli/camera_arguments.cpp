@@ -98,6 +98,9 @@ Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::st
     const auto q15 = [length](double value) { return static_cast<std::int16_t>(std::lround(value / length * 32767)); };
     options.look.light = {q15(x), q15(y), q15(z), options.look.light.colour};
   }
+  const Result<Reduction> reduction = parse_reduction(arguments.reduction, scene);
+  if (!reduction) return reduction.failure();
+  options.reduction = *reduction;
   const char* const option = arguments.up           ? "--up"
                              : arguments.animation  ? "--animation"
                              : arguments.highlights ? "--highlights"

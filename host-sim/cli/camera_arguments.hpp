@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/reduction_arguments.hpp"
 #include "import/source_model.hpp"
 #include "render/camera.hpp"
 #include "render/stage.hpp"
@@ -29,6 +30,7 @@ struct CameraArguments {
   bool orthographic = false;
   std::optional<std::string> background;
   std::optional<std::string> light;
+  ReductionArguments reduction;  ///< its options are add_reduction_options'
 };
 
 /// Adds the options; `arguments` must live as long as the command.
@@ -37,8 +39,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments);
 /// `scene`: --camera is a usage error unless it is a model file.
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
-/// Parses --up, --animation, --highlights, --background and --light. They are usage errors unless the scene is a model
-/// file: other scenes have their own settings. `format`: of the picture.
+/// Parses --up, --animation, --highlights, --background, --light and the reduction. They are usage errors unless the
+/// scene is a model file: other scenes have their own settings. `format`: of the picture.
 Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene, PixelFormat format);
 
 }  // namespace zstrip::sim

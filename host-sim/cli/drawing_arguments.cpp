@@ -89,6 +89,7 @@ void add_drawing_options(CLI::App& command, DrawingArguments& arguments) {
       ->type_name("RUN");
   add_panel_options(command, a.panel);
   add_camera_options(command, a.camera);
+  add_reduction_options(command, a.camera.reduction);
   add_visibility_options(command, a.visibility);
 }
 

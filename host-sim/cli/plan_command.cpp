@@ -13,6 +13,7 @@
 #include "cli/parse.hpp"
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
+#include "cli/reduction_arguments.hpp"
 #include "plan/alternatives.hpp"
 #include "render/edged_stage.hpp"
 #include "render/stage.hpp"
@@ -34,6 +35,7 @@ struct PlanCommandLine {
   PlanArguments plan;
   std::optional<std::string> depth_format;  // kChosen: the planner chooses
   std::optional<double> separation;
+  ReductionArguments reduction;
   bool static_layer = false;
   bool json = false;
 };
@@ -80,9 +82,11 @@ Result<Effects> all_effects(Stage& stage, const PlanRequest& request) {
 Result<Done> run_plan(const PlanCommandLine& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
+  const Result<Reduction> reduction = parse_reduction(arguments.reduction, arguments.scene);
+  if (!reduction) return reduction.failure();
   std::optional<StepReport> steps(std::in_place, true);
-  Result<std::unique_ptr<Stage>> stage =
-      open_stage(arguments.scene, {.look = look_for_people(request->view.format)}, {}, request->view, 1);
+  Result<std::unique_ptr<Stage>> stage = open_stage(
+      arguments.scene, {.reduction = *reduction, .look = look_for_people(request->view.format)}, {}, request->view, 1);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   steps.reset();
   if (!stage) return stage.failure();
@@ -142,6 +146,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("SCENE");
   add_plan_options(*command, a.plan);
+  add_reduction_options(*command, a.reduction);
   command
       ->add_option("--depth-format", a.depth_format,
                    "How depth is kept: z16 (default), float, z24, or auto: what sorts and fits")

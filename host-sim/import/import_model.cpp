@@ -49,7 +49,7 @@ void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides)
 }  // namespace
 
 Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
-                           BackFaces back_faces, Highlights highlights) {
+                           BackFaces back_faces, Highlights highlights, const Reduction& reduction) {
   const std::string file = path.filename().string();
   tell_step(fmt::format("reading '{}'", file));
   Result<SourceModel> read = read_model(path, up, texcoords, highlights);
@@ -65,9 +65,22 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
   multiply_unlit_texels(source);
   generate_missing_normals(source);
   std::vector<Outside> outsides = find_outsides(source);
+  std::optional<Reduced> reduced;
+  if (reduction.removes_triangles()) {
+    tell_step(fmt::format("removing triangles of '{}'", file));
+    for (SourceMesh& mesh : source.meshes) weld(mesh);
+    reduced = remove_triangles(source, reduction);
+    if (!reduced->keeps_limit) {
+      source.warnings.push_back(
+          fmt::format("{} are left, more than asked for: borders of meshes, seams of textures and "
+                      "triangles across which colours change stay",
+                      counted(reduced->triangles, "triangle")));
+    }
+  }
   if (back_faces == BackFaces::lit_alike) split_sides(source, outsides);
   if (source.meshes.size() > kMaxMeshes) return named(kTooManyMeshes);
   for (RgbImage& texture : source.textures) texture = resample_to_power_of_two(std::move(texture));
+  if (reduction.texture_side > 0) shrink_textures(source, reduction.texture_side);
 
   tell_step(fmt::format("merging the vertices of '{}'", file));
   std::vector<MeshTraits> traits;
@@ -101,6 +114,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
   }
   Result<Model> model = quantise(source, traits);
   if (!model) return named(model.failure().message);
+  model->reduced = reduced;
   return model;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "import/reduction.hpp"
 #include "import/source_model.hpp"
 #include "result.hpp"
 #include "zstrip/scene.hpp"
@@ -89,6 +90,7 @@ class Model {
   std::vector<SourceCamera> cameras;        ///< the file's cameras, in its units
   Units units;
   Accuracy accuracy;
+  std::optional<Reduced> reduced;     ///< if triangles were to be removed
   double outlying = 1;                ///< as outlying_of()
   std::vector<std::string> warnings;  ///< features that are missing in the picture, one line each
 };
@@ -99,10 +101,10 @@ enum class BackFaces : std::uint8_t {
   as_front,   ///< by the normals of the front; meshes with other materials need not be divided
 };
 
-/// Reads, repairs and quantises a model file. `up`: the axis that points upwards; empty: the format's axis. The
-/// failure's message is complete: it names the file.
+/// Reads, repairs, reduces and quantises a model file. `up`: the axis that points upwards; empty: the format's axis.
+/// The failure's message is complete: it names the file.
 Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up = {},
                            Texcoords texcoords = Texcoords::of_textures, BackFaces back_faces = BackFaces::lit_alike,
-                           Highlights highlights = Highlights::none);
+                           Highlights highlights = Highlights::none, const Reduction& reduction = {});
 
 }  // namespace zstrip::sim

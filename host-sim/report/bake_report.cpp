@@ -91,6 +91,14 @@ std::string mipmap_lines(const BakeRecord& record) {
   return text;
 }
 
+std::string reduced_line(const BakeRecord& record) {
+  if (!record.reduced) return "";
+  const Reduced& reduced = record.reduced->in_file;
+  return fmt::format("  reduced    {} of {} of the file, at most {:.3g} units off, {:.2g} pixels\n",
+                     grouped(reduced.triangles), counted(reduced.triangles_before, "triangle"), reduced.error,
+                     record.reduced->pixels);
+}
+
 std::string effect_lines(const BakeRecord& record) {
   std::string text;
   for (const FoundEffect& found : record.effects) {
@@ -118,6 +126,7 @@ std::string bake_summary(const BakeRecord& record) {
   std::string text = fmt::format("{}: {} in {}, {}, {}\n", printable(record.scene),
                                  counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
                                  counted(counts.instances, "instance"), counted(record.materials, "material"));
+  text += reduced_line(record);
   text += fmt::format("  flash      {}\n", counted(record.flash.total(), "byte")) + flash_lines(record);
   text += palette_lines(record);
   text += mipmap_lines(record);
@@ -189,6 +198,13 @@ std::string bake_json(const BakeRecord& record) {
                           {"normal_degrees", accuracy->normal},
                           {"texcoord_texels", accuracy->texcoord},
                           {"texel_channel", accuracy->texel}};
+  }
+  object["reduced"] = nullptr;
+  if (const auto& reduced = record.reduced) {
+    object["reduced"] = {{"triangles_before", reduced->in_file.triangles_before},
+                         {"triangles", reduced->in_file.triangles},
+                         {"error", reduced->in_file.error},
+                         {"error_pixels", reduced->pixels}};
   }
   object["palettes"] = Json::array();
   for (const PaletteRecord& palette : record.palettes) {

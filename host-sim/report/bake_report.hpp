@@ -33,6 +33,12 @@ struct VisibleSetRecord {
   double hidden = 0;  ///< share of all pairs of cell and meshlet that are left out
 };
 
+/// Triangles that were removed from a model.
+struct ReducedTriangles {
+  Reduced in_file;
+  double pixels = 0;  ///< the error at the centre of the model, in the baked picture
+};
+
 struct BakeRecord {
   std::string scene;
   std::string output;
@@ -53,7 +59,8 @@ struct BakeRecord {
   std::vector<MipmapRecord> mipmaps{};
   std::uint64_t palettes_would_save = 0;     ///< bytes of texels, without loss
   std::optional<ClippingRecord> clipping{};  ///< of a header
-  std::size_t edges_left_out = 0;            ///< that its motion never shows
+  std::optional<ReducedTriangles> reduced{};
+  std::size_t edges_left_out = 0;  ///< that its motion never shows
 };
 
 /// For a person.

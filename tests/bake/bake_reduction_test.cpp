@@ -1,0 +1,159 @@
+// Models that are made smaller: textures halved, triangles removed, and what may not change by it.
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "bake_fixture.hpp"
+#include "image/decode.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+class Reduction : public Bake {
+ protected:
+  RgbImage picture(const std::string& scene, std::vector<std::string> options) {
+    std::vector<std::string> arguments{"render", scene, "-o", "p.png", "--quiet", "--size", "160x160"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string bytes = read(path("p.png"));
+    return *decode_image({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  }
+  /// A 24-bit TGA of side x side texels: red grows to the right, green downwards.
+  void texture(const std::string& name, int side) {
+    std::string bytes(18, '\0');
+    bytes[2] = 2;
+    bytes[12] = bytes[14] = static_cast<char>(side & 255);
+    bytes[13] = bytes[15] = static_cast<char>(side >> 8);
+    bytes[16] = 24;
+    bytes[17] = 0x20;
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        bytes += {static_cast<char>(60), static_cast<char>(y * 255 / side), static_cast<char>(x * 255 / side)};
+      }
+    }
+    file(name, bytes);
+  }
+  /// A sphere whose texture has a seam, and whose halves have different materials.
+  std::string textured_sphere(int columns, int rows) {
+    std::string text = "mtllib sphere.mtl\n";
+    const double pi = std::numbers::pi;
+    for (int row = 0; row <= rows; ++row) {
+      for (int column = 0; column <= columns; ++column) {
+        const double theta = pi * row / rows, phi = 2 * pi * (column % columns) / columns;
+        const double x = std::sin(theta) * std::cos(phi), y = std::cos(theta), z = std::sin(theta) * std::sin(phi);
+        text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+        text += "vt " + std::to_string(1.0 * column / columns) + " " + std::to_string(1 - 1.0 * row / rows) + "\n";
+        text += "vn " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+      }
+    }
+    for (int row = 0; row < rows; ++row) {
+      if (row == 0) text += "usemtl upper\n";
+      if (row == rows / 2) text += "usemtl lower\n";
+      for (int column = 0; column < columns; ++column) {
+        const auto corner = [&](int down, int right) {
+          const std::string i = std::to_string((row + down) * (columns + 1) + column + right + 1);
+          return " " + i + "/" + i + "/" + i;
+        };
+        if (row > 0) text += "f" + corner(0, 0) + corner(0, 1) + corner(1, 1) + "\n";
+        if (row < rows - 1) text += "f" + corner(0, 0) + corner(1, 1) + corner(1, 0) + "\n";
+      }
+    }
+    file("sphere.mtl", "newmtl upper\nKd 1 1 1\nmap_Kd colours.tga\nnewmtl lower\nKd 1 1 1\nmap_Kd colours.tga\n");
+    return file("sphere.obj", text);
+  }
+};
+
+double mean_difference(const RgbImage& a, const RgbImage& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(a.rgb[i] - b.rgb[i]);
+  return sum / static_cast<double>(a.rgb.size());
+}
+
+TEST_F(Reduction, TexturesAreHalvedToTheSizeAskedForAndLookAlike) {
+  texture("colours.tga", 256);
+  const std::string model = textured_sphere(24, 12);
+  const Json whole = report({"bake", model, "-o", "whole.zsc"});
+  const Json small = report({"bake", model, "-o", "small.zsc", "--texture-size", "64"});
+  EXPECT_EQ(whole.at("flash_bytes").at("textures"), 2 * 256 * 256);
+  EXPECT_EQ(small.at("flash_bytes").at("textures"), 2 * 64 * 64);
+  EXPECT_EQ(small.at("flash_bytes").at("total"), read(path("small.zsc")).size());
+  EXPECT_EQ(report({"bake", model, "-o", "same.zsc", "--texture-size", "512"}).at("flash_bytes"),
+            whole.at("flash_bytes"));
+  const RgbImage before = picture(model, {});
+  EXPECT_LT(mean_difference(before, picture(model, {"--texture-size", "64"})), 1.5);
+  EXPECT_GT(mean_difference(before, picture(model, {"--texture-size", "1"})), 5);
+  EXPECT_EQ(zstrip({"plan", model, "--texture-size", "64", "--triangles", "50%"}).status, 0);
+}
+
+TEST_F(Reduction, RemovedTrianglesOpenNoCrackAtSeamsOrBetweenMaterials) {
+  texture("colours.tga", 64);
+  const std::string model = textured_sphere(48, 24);
+  const Json record = report({"bake", model, "-o", "small.zsc", "--triangles", "20%"});
+  const Json& reduced = record.at("reduced");
+  EXPECT_EQ(reduced.at("triangles_before"), 2208);
+  EXPECT_LE(reduced.at("triangles"), 442);
+  EXPECT_EQ(record.at("counts").at("triangles"), reduced.at("triangles"));
+  EXPECT_GT(reduced.at("error"), 0);
+  EXPECT_LT(reduced.at("error"), 0.1) << "the radius is 1";
+  EXPECT_GT(reduced.at("error_pixels"), reduced.at("error").get<double>() * 50) << "a radius has over 50 pixels";
+  for (const char* angle : {"0", "60", "120", "180", "240", "300"}) {
+    const RgbImage image =
+        picture(model, {"--triangles", "20%", "--background", "ff00ff", "--orbit", std::string("5,") + angle + ",80"});
+    int inside = 0, cracks = 0;
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+      const auto is_background = [&](std::uint32_t x) {
+        const std::uint8_t* pixel = image.pixel(x, y);
+        return pixel[0] == 255 && pixel[1] == 0 && pixel[2] == 255;
+      };
+      std::uint32_t first = 0, last = image.width;
+      while (first < last && is_background(first)) ++first;
+      while (last > first && is_background(last - 1)) --last;
+      for (std::uint32_t x = first; x < last; ++x) ++(is_background(x) ? cracks : inside);
+    }
+    EXPECT_GT(inside, 5000) << angle;
+    EXPECT_EQ(cracks, 0) << angle;
+  }
+}
+
+TEST_F(Reduction, VertexColoursStayWhereTheyChange) {
+  std::string text;
+  const int side = 17;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const bool spot = x > 5 && x < 11 && y > 5 && y < 11;
+      text += "v " + std::to_string(x) + " " + std::to_string(y) + " 0 " + (spot ? "1 0 0" : "0 0 1") + "\n";
+    }
+  }
+  for (int y = 0; y + 1 < side; ++y) {
+    for (int x = 0; x + 1 < side; ++x) {
+      const int i = y * side + x + 1;
+      const auto n = [](int v) { return " " + std::to_string(v); };
+      text += "f" + n(i) + n(i + 1) + n(i + side + 1) + "\nf" + n(i) + n(i + side + 1) + n(i + side) + "\n";
+    }
+  }
+  const std::string model = file("spot.obj", text);
+  const Json record = report({"bake", model, "-o", "small.zsc", "--triangles", "60%"});
+  EXPECT_LE(record.at("reduced").at("triangles"), 2 * 16 * 16 * 0.6 + 1);
+  EXPECT_LT(mean_difference(picture(model, {}), picture(model, {"--triangles", "60%"})), 0.5);
+}
+
+TEST_F(Reduction, SizesThatNoModelCanHaveAreUsageErrors) {
+  for (const char* size : {"0", "100", "4096", "-64", "64x", ""}) {
+    const Outcome outcome = zstrip({"bake", kHouseModel, "-o", "house.zsc", std::string("--texture-size=") + size});
+    EXPECT_EQ(outcome.status, 2) << size;
+  }
+  for (const char* count : {"0", "-1", "0%", "101%", "nan%", "1.5", "%", "99999999999999999999"}) {
+    const Outcome outcome = zstrip({"bake", kHouseModel, "-o", "house.zsc", std::string("--triangles=") + count});
+    EXPECT_EQ(outcome.status, 2) << count;
+  }
+  const Outcome built_in = zstrip({"plan", "teapot", "--triangles", "50%"});
+  EXPECT_EQ(built_in.status, 2);
+  EXPECT_NE(built_in.err.find("--triangles is for model files"), std::string::npos) << built_in.err;
+  const Outcome more = zstrip({"bake", kHouseModel, "-o", "house.zsc", "--triangles", "1"});
+  EXPECT_EQ(more.status, 0);
+  EXPECT_NE(more.err.find("are left, more than asked for"), std::string::npos) << more.err;
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
