@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""gather_pages.py ROOT PAGES: copies the repository's Markdown, and the files that it links to, to the folder PAGES.
+"""gather_pages.py ROOT PAGES [PLAYGROUND]: copies the repository's Markdown, and the files that it links to, to PAGES.
 
-The folders stay as they are, so that relative links stay right. GitHub begins a list without an empty line before it
+The folders stay as they are, so that relative links stay right. PLAYGROUND is the playground's page, a folder, which
+becomes PAGES/play; then links of the gallery to scenes open them there. A row of pictures and the row of captions below
+it become one, so that a caption stays with its picture on a narrow screen. GitHub begins a list without an empty line before it
 and nests lists by two spaces; Python's Markdown wants the line, and four spaces. In tables GitHub wants a backslash
 before a bar in code; Python's Markdown shows it.
 """
@@ -15,6 +17,7 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 LIST_ITEM = re.compile(r"( *)(?:[-*] |\d+\. )")
 FENCE = re.compile(r" *```")
 CODE = re.compile(r"`[^`]*`")
+SCENE = re.compile(r"\]\(\.\./host-sim/scenes/([^)#]+)\)")
 
 
 def is_source(path):
@@ -41,10 +44,21 @@ def linked_files(page, text):
                 yield (page.parent / urllib.parse.unquote(parts.path)).resolve()
 
 
+def with_captions(lines):
+    """Joins rows of tables: pictures, and what stands below them."""
+    joined = []
+    for line in lines:
+        if line.startswith("|") and "![" not in line and joined and joined[-1].startswith("| !["):
+            cells = zip(joined.pop().strip("| ").split(" | "), line.strip("| ").split(" | "))
+            line = "| " + " | ".join(f"{picture}<br>{caption}" for picture, caption in cells) + " |"
+        joined.append(line)
+    return joined
+
+
 def for_python_markdown(text):
     lines = []
     inside = False
-    for line in text.splitlines():
+    for line in with_captions(text.splitlines()):
         if FENCE.match(line):
             inside = not inside
         item = None if inside else LIST_ITEM.match(line)
@@ -58,13 +72,17 @@ def for_python_markdown(text):
 
 
 def main():
-    root, pages = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+    root, pages, *playground = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     shutil.rmtree(pages, ignore_errors=True)
+    if playground:
+        shutil.copytree(playground[0], pages / "play")
     for page in sorted(root.rglob("*.md")):
         place = page.relative_to(root)
         if not is_source(place):
             continue
         text = page.read_text(encoding="utf-8")
+        if playground and place.as_posix() == "docs/gallery.md":
+            text = SCENE.sub(r"](../play/index.html#scene=\1)", text)
         copy = pages / place
         copy.parent.mkdir(parents=True, exist_ok=True)
         copy.write_text(for_python_markdown(text), encoding="utf-8")

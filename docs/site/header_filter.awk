@@ -3,6 +3,7 @@
 #   - Lines of a comment that are indented by five are code, unless they belong to an item of a list.
 #   - A comment behind several variables is each one's: "type a = 0, b = 0;  ///< comment".
 #   - Comparisons of all members need no comment.
+#   - Private members are left out: of a private class doxygen makes a link that leads nowhere.
 
 # A line is printed when the next one is known, because code may end with it.
 function put(line) {
@@ -21,6 +22,9 @@ function put(line) {
 }
 
 FNR == 1 { first = 1 }
+/^ private:/ { is_private = 1 }
+/^ (public|protected):/ || /^};/ { is_private = 0 }
+is_private { put(""); next }
 first && /^\/\/ / { sub(/^\/\//, "///") }
 first && !/^\/\// {
   if (holds) held = held (in_code ? " @endcode" : "") " @file"

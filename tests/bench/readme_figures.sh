@@ -71,13 +71,13 @@ caption() {
     FILENAME ~ /[.]csv$/ { split($0, f, ","); if (f[1] f[2] f[3] f[4] == scene "m3speed22") counted = f[6]; next }
     $2 == "`" scene "`" && $5 ~ /^[0-9,]+$/ { flash = $3; ram = $5; gsub(/,/, "", flash); gsub(/,/, "", ram) }
     END {
-      printf "%.1f KB of RAM, %.1f KB of flash; Pico %.1f fps, Pico 2 %.1f fps", ram / 1024, flash / 1024,
+      printf "%.1f KB of RAM, %.1f KB of flash<br>Pico %.1f fps, Pico 2 %.1f fps", ram / 1024, flash / 1024,
         125e6 / pico / counted, 150e6 / pico2 / counted
     }
   ' docs/measured/gallery.csv docs/gallery.md
 }
 for scene in lighthouse astronaut train robot watch chess; do
   is=$(caption $scene)
-  grep -qF "| $is |" README.md || { echo "README.md: below the picture of $scene stands not: $is"; failed=1; }
+  grep -qF "**$scene**<br>$is |" README.md || { echo "README.md: below the picture of $scene stands not: $is"; failed=1; }
 done
 exit $failed

@@ -2,7 +2,7 @@
 """check_links.py SITE: every link of the built pages leads to a file of the site, and to a place that is in it.
 
 Nothing is loaded from elsewhere: pictures, styles and scripts are files of the site. Every page is reached from the
-first. Links to other sites are not followed.
+first. Links to other sites are not followed; none leads to a server on the reader's machine.
 """
 import html.parser
 import pathlib
@@ -64,6 +64,8 @@ def problems_of(site, pages):
                 yield f"{name}: {address} is not there"
         for address in pages[page].links:
             if is_elsewhere(address):
+                if urllib.parse.urlsplit(address).hostname in ("localhost", "127.0.0.1"):
+                    yield f"{name}: {address} is a server of the reader"
                 continue
             file, place = resolve(site, page, address)
             if not file.is_file() or not file.is_relative_to(site):
