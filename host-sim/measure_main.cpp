@@ -3,6 +3,7 @@
 #include "accuracy/tune_command.hpp"
 #include "bench/bench_command.hpp"
 #include "cli/command_line.hpp"
+#include "fit/fit_command.hpp"
 #include "zstrip/visibility.hpp"
 
 int main(int argc, char** argv) {
@@ -11,5 +12,6 @@ int main(int argc, char** argv) {
     zstrip::sim::add_bench_command(app, exit_code);
     zstrip::sim::add_accuracy_command(app, exit_code);
     zstrip::sim::add_tune_command(app, exit_code);
+    zstrip::sim::add_fit_command(app, exit_code);
   });
 }

@@ -12,39 +12,11 @@
 #include "accuracy/plot.hpp"
 #include "image/rgb_png.hpp"
 #include "render/parallel.hpp"
+#include "text/html.hpp"
 #include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {
-
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
-    const auto byte = [&](std::size_t k) { return k < left ? std::uint32_t{bytes[i + k]} : 0; };
-    const std::uint32_t word = byte(0) << 16 | byte(1) << 8 | byte(2);
-    text += kDigits[word >> 18];
-    text += kDigits[(word >> 12) & 63];
-    text += left > 1 ? kDigits[(word >> 6) & 63] : '=';
-    text += left > 2 ? kDigits[word & 63] : '=';
-  }
-  return text;
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
 
 template <class Pixel, class ToRgb>
 Result<std::vector<std::uint8_t>> png_of(const View& view, const std::vector<Pixel>& pixels, const ToRgb& to_rgb) {
@@ -121,8 +93,6 @@ std::string causes_table(const Campaign& campaign) {
   }
   return html + "</tbody></table></div>\n";
 }
-
-std::string data_url(const std::vector<std::uint8_t>& png) { return "data:image/png;base64," + base64(png); }
 
 std::string scene_json(const PageScene& scene) {
   std::string text = fmt::format("{{\"width\":{},\"height\":{},\"points\":[", scene.campaign.request.view.width,

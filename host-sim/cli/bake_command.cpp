@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "bake/baked_scene.hpp"
 #include "bake/clipping.hpp"
 #include "bake/effects_found.hpp"
 #include "bake/flash_bytes.hpp"
@@ -22,7 +21,6 @@
 #include "bake/pico_scene.hpp"
 #include "bake/program_text.hpp"
 #include "bake/scene_blob.hpp"
-#include "bake/scene_header.hpp"
 #include "bake/shown_edges.hpp"
 #include "bake/unmoved_scene.hpp"
 #include "cli/bake_kind.hpp"
@@ -51,24 +49,6 @@
 namespace zstrip::sim {
 namespace {
 
-/// The options as given on the command line.
-struct Arguments {
-  std::string scene;
-  std::string output;
-  PlanArguments plan{.mode = "streamed"};
-  CameraArguments camera;
-  bool turntable = false;
-  std::string name_space = kDefaultNamespace;
-  std::optional<std::string> visible_sets;
-  std::optional<std::string> cells;
-  std::string textures = "rgb565";
-  std::string mipmaps = "auto";
-  std::string clipping = "auto";
-  PicoArguments pico;
-  std::optional<std::string> json;
-  bool quiet = false;
-};
-
 /// The value is one of the words that the option accepts.
 TextureChoice texture_choice(const std::string& word) {
   if (word == "auto") return TextureChoice::automatic;
@@ -86,12 +66,13 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 }
 
 /// Returns the skins that the output moves; a blob has none.
-BakedSkins skins_of(BakeKind kind, const Stage& stage) {
+BakedSkins skins_of(BakeKind kind, const Stage& stage, bool warn) {
   const Model* const model = stage.model();
   if (!stage.bends() || model == nullptr) return {};
   if (!is_source(kind)) {
-    print_warning(
-        "a blob has no skins: what joints move stands still in it as at frame 0; a header (-o FILE.hpp) moves it");
+    if (warn)
+      print_warning(
+          "a blob has no skins: what joints move stands still in it as at frame 0; a header (-o FILE.hpp) moves it");
     return {};
   }
   return {model->skins, model->joints, model->rest, stage.joint_animation()};
@@ -120,8 +101,8 @@ double pixels_of_unit(const Camera& camera, const View& view) {
 }
 
 /// Plans the scene at rest.
-Result<BakedScene> bake(const std::string& scene, const Staging& staging, const Animation& animation, const Turn& turn,
-                        const BakedSkins& skins, const PlanRequest& request) {
+Result<BakedScene> plan_baked(const std::string& scene, const Staging& staging, const Animation& animation,
+                              const Turn& turn, const BakedSkins& skins, const PlanRequest& request) {
   const Result<Plan> plan = best_plan(staging, request);
   if (!plan) return plan.failure();
   BakedScene baked{.source = std::filesystem::path(scene).filename().string(),
@@ -145,7 +126,7 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
 }
 
 /// For a header: leaves out clipping if the option allows it and the motion does not need it.
-ClippingRecord choose_clipping(const Arguments& arguments, BakedScene& baked) {
+ClippingRecord choose_clipping(const BakeArguments& arguments, BakedScene& baked) {
   if (arguments.clipping == "on") return {.where = {}, .why = "--clipping on"};
   ClippingRecord clipping = find_clipping(baked, arguments.turntable);
   if (clipping.left_out) {
@@ -156,7 +137,7 @@ ClippingRecord choose_clipping(const Arguments& arguments, BakedScene& baked) {
 }
 
 /// Returns the edges that the motion shows, for a header; nothing if all edges stay.
-std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const Arguments& arguments, const Staging& at_rest,
+std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const BakeArguments& arguments, const Staging& at_rest,
                                          const Animation& animation, const Turn& turn, const BakedSkins& skins,
                                          const View& view) {
   const bool moves_as_baked = !animation.tracks.empty() || (arguments.turntable && turn.what != Turning::nothing);
@@ -166,7 +147,7 @@ std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const Arguments& argumen
   return std::make_unique<ShownEdges>(scenes::AtRest{at_rest.scene, at_rest.camera, animation, turn}, view, bent);
 }
 
-BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedScene& baked) {
+BakeRecord describe(const BakeArguments& arguments, const Stage& stage, const BakedScene& baked) {
   const Model* model = stage.model();
   // Split triangles have their own material.
   const Origins origins = baked.effects.any(method::orders) ? Origins{} : stage.origins();
@@ -212,7 +193,7 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
 }
 
 /// `pico_file`: the board and program of a file for a Pico.
-Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, BakeKind kind, const BakedScene& baked,
+Result<std::vector<std::uint8_t>> make_output(const BakeArguments& arguments, BakeKind kind, const BakedScene& baked,
                                               const Camera& turning_camera, const PicoFile& pico_file,
                                               BakeRecord& record) {
   if (is_source(kind)) {
@@ -240,7 +221,7 @@ Result<VisibleSetRecord> write_sets(const std::string& output, const Staging& st
   return VisibleSetRecord{output, baked->cells, baked->sets, baked->meshlets, bytes.size(), baked->hidden};
 }
 
-Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
+Result<Done> report(const BakeRecord& record, const BakeArguments& arguments) {
   const bool json_on_stdout = arguments.json && (*arguments.json == "-" || is_standard_output(*arguments.json));
   if (json_on_stdout) write_text(stdout, bake_json(record));  // main checks the stream's state
   if (arguments.json && !json_on_stdout) {
@@ -254,7 +235,9 @@ Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
   return Done{};
 }
 
-Result<Done> run(const Arguments& arguments) {
+}  // namespace
+
+Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   const Result<BakeKind> kind = bake_kind(arguments.output);
   if (!kind) return kind.failure();
   if (!is_namespace(arguments.name_space)) {
@@ -301,10 +284,16 @@ Result<Done> run(const Arguments& arguments) {
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // 2 frames: the camera must show every angle
   std::optional<StepReport> steps(std::in_place, !arguments.quiet);
-  Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
+  const bool is_open = trial != nullptr && *trial->stage != nullptr;
+  Result<std::unique_ptr<Stage>> stage =
+      is_open ? (*trial->stage)->copy() : open_stage(arguments.scene, *model, *camera, request->view, angles);
+  if (!stage) return stage.failure();
+  if (trial != nullptr && !is_open) *trial->stage = (*stage)->copy();
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
-  for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  if (trial == nullptr) {
+    for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  }
   if (const Result<Done> fits = check_shadow_pool(**stage, request->view); !fits) return fits.failure();
   const Result<Staging> staging = (*stage)->place(0, angles);
   if (!staging) return staging.failure();
@@ -318,13 +307,13 @@ Result<Done> run(const Arguments& arguments) {
     const Result<Done> drawn = check_for_pico(effects_of(staging->scene, staging->camera) | picture_effects(*request));
     if (!drawn) return drawn.failure();
   }
-  const BakedSkins skins = skins_of(*kind, **stage);
+  const BakedSkins skins = skins_of(*kind, **stage, trial == nullptr);
   const Result<PreparedScene> prepared =
       prepare_for(request->method, arguments.visible_sets.has_value(), *staging, (*stage)->animation(), skins);
   if (!prepared) return prepared.failure();
   Staging at_rest = prepared->staging();
   const UnmovedScene unmoved(at_rest.scene);
-  if (unmoved.moved()) {
+  if (unmoved.moved() && trial == nullptr) {
     print_warning("vertices that a skin moves while they are drawn stand still, as they were modelled");
   }
   const MipmappedScene mipmapped(unmoved.scene(), mipmap_choice(arguments.mipmaps));
@@ -342,7 +331,7 @@ Result<Done> run(const Arguments& arguments) {
       choose_edges(*kind, arguments, at_rest, (*stage)->animation(), *turn, skins, request->view);
   if (shown) at_rest.scene.edges = shown->sets();
   *request = with_enough_ram(at_rest, *request);
-  Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
+  Result<BakedScene> baked = plan_baked(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   if (shown) baked->edges_left_out = shown->left_out();
   if (*kind == BakeKind::sketch || *kind == BakeKind::program) {
@@ -367,6 +356,7 @@ Result<Done> run(const Arguments& arguments) {
   const Result<std::vector<std::uint8_t>> output =
       make_output(arguments, *kind, *baked, *turning_camera, *pico_file, record);
   if (!output) return output.failure();
+  if (trial != nullptr) return trial->see(*baked, record);
   // Before anything is written.
   if (const Result<Done> checked = check_no_input(arguments.visible_sets.value_or(""), "--visible-sets"); !checked)
     return checked.failure();
@@ -383,12 +373,10 @@ Result<Done> run(const Arguments& arguments) {
   return report(record, arguments);
 }
 
-}  // namespace
-
 void add_bake_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("bake", "Write a model for firmware: as C++ constants, or a blob for flash");
-  const auto arguments = std::make_shared<Arguments>();
-  Arguments& a = *arguments;
+  const auto arguments = std::make_shared<BakeArguments>();
+  BakeArguments& a = *arguments;
   command
       ->add_option("scene", a.scene,
                    "A model (.obj .gltf .glb .stl .ply .3ds .dae ...), a scene file (.toml), a built-in or baked scene")
@@ -459,7 +447,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "  zstrip bake truck.glb -o truck.zsc --texture-size 128 --textures palette8 --triangles 25%\n"
       "  zstrip render scene.zsc --size 320x240");
   command->callback([arguments, &exit_code] {
-    const Result<Done> done = run(*arguments);
+    const Result<Done> done = bake(*arguments);
     exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());
   });
 }

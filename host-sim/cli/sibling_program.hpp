@@ -23,12 +23,13 @@ inline constexpr SiblingCommand kAccuracyCommand{
     "accuracy", "Measure what accuracy costs: errors, time and memory of all settings"};
 inline constexpr SiblingCommand kTuneCommand{"tune",
                                              "Find the cheapest settings within limits of error, memory and time"};
+inline constexpr SiblingCommand kFitCommand{"fit", "Make a model small enough for a board, and bake it"};
 inline constexpr SiblingCommand kViewCommand{
     .name = "view",
     .description = "Show a scene in a window as a device would draw it",
     .program = "zstrip-view",
     .how = "install SDL 2 (libsdl2-dev), configure again and build the target zstrip-view"};
-inline constexpr std::array kSiblingCommands{kBenchCommand, kAccuracyCommand, kTuneCommand, kViewCommand};
+inline constexpr std::array kSiblingCommands{kBenchCommand, kAccuracyCommand, kTuneCommand, kFitCommand, kViewCommand};
 
 /// Adds the subcommands to the help of the command.
 void add_sibling_commands(CLI::App& app);

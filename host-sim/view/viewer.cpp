@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "bake/flash_bytes.hpp"
-#include "bench/board_prediction.hpp"
+#include "bench/board_estimate.hpp"
 #include "image/encode.hpp"
 #include "image/to_rgb.hpp"
 #include "report/plan_words.hpp"
@@ -29,65 +29,7 @@ bool lies_upright(const std::optional<PanelRequest>& panel) {
   return !panel || (panel->orientation.rotation == hal::Rotation::none && !panel->orientation.mirrored);
 }
 
-struct BoardTime {
-  double draw, send;  // seconds, for the whole frame
-};
-
-/// Returns the times of each strip: its share of the frame's rows.
-std::vector<StripTimes> times_on(const BoardModel& board, const BoardTime& frame, const std::vector<Rect>& strips) {
-  std::vector<StripWork> works;
-  std::int64_t pixels = 0;
-  const auto pixels_of = [](const Rect& area) { return std::int64_t{area.width()} * area.height(); };
-  for (const Rect& area : strips) pixels += pixels_of(area);
-  for (const Rect& area : strips) {
-    const double share = static_cast<double>(pixels_of(area)) / static_cast<double>(pixels);
-    works.push_back({frame.draw * share, frame.send * share});
-  }
-  return strip_timeline(0, works, board.dma);
-}
-
-std::vector<Rect> strips_of(const Plan& plan, const View& view) {
-  std::vector<Rect> strips;
-  for (std::uint16_t strip = 0; strip < plan.strips; ++strip) strips.push_back(plan.strip_area(strip, view));
-  return strips;
-}
-
-/// Returns the bytes of window commands and pixels.
-std::uint64_t bytes_on_bus(const std::vector<Rect>& strips, const View& view) {
-  std::uint64_t bytes = 0;
-  for (const Rect& area : strips) {
-    bytes += kWindowBytes + std::uint64_t{bytes_per_row(static_cast<std::uint16_t>(area.width()), view.format)} *
-                                static_cast<std::uint64_t>(area.height());
-  }
-  return bytes;
-}
-
-/// Computes the time from the estimated instructions and the panel's bytes, in one place. `cycles`: for an instruction
-/// of the estimate.
-BoardTime time_on(const BoardModel& board, double cycles, double bus_mhz, const ViewedFrame& viewed, const View& view) {
-  return {static_cast<double>(viewed.instructions) * cycles / (board.core_mhz * 1e6),
-          static_cast<double>(8 * bytes_on_bus(viewed.strips, view)) / (bus_mhz * 1e6)};
-}
-
-/// Returns the bytes of a board's memory that the plan takes, with what programs need beside it.
-std::uint64_t ram_on(const BoardModel& board, const FrameReport& report) {
-  return std::uint64_t{report.plan.bytes()} + (board.dma ? 2U : 1U) * std::uint64_t{report.strip_pixel_bytes} +
-         kReservedRam;
-}
-
-/// Returns at least so many digits, without an exponent.
-std::string rate_in_digits(double rate, int digits) {
-  return rate < std::pow(10, digits) - 0.5 ? fmt::format("{:.{}g}", rate, digits) : fmt::format("{:.0f}", rate);
-}
-
 }  // namespace
-
-std::string BoardRate::words() const {
-  if (!fits()) return fmt::format("needs {} KB", (needed_ram + 1023) / 1024);
-  if (least == most) return rate_in_digits(most, 3);
-  const std::string low = rate_in_digits(least, 2), high = rate_in_digits(most, 2);
-  return low == high ? low : fmt::format("{} to {}", low, high);
-}
 
 Result<Viewer> Viewer::open(const ViewRequest& request) {
   Viewer viewer(request);
@@ -170,20 +112,12 @@ Result<ViewedFrame> Viewer::draw(bool with_png) {
   viewed.instructions = estimated_cost(count(staging->scene), effects, drawing_->view, viewed.report.plan,
                                        work_of(viewed.report.statistics));
   viewed.left_out = left_out_of_estimates(effects);
-  const auto timeline = [&](const BoardModel& board, double cycles, double bus_mhz) {
-    return times_on(board, time_on(board, cycles, bus_mhz, viewed, drawing_->view), viewed.strips);
-  };
+  const EstimatedFrame estimated{viewed.report.plan, drawing_->view, viewed.instructions};
   if (const BoardModel* const board = request_.board) {
-    viewed.times = timeline(*board, board->cycles_per_estimate.high, request_.bus_mhz);
+    viewed.times = times_on(*board, board->cycles_per_estimate.high, request_.bus_mhz, estimated);
   }
   for (const BoardModel& board : board_models()) {
-    BoardRate rate{.board = board.name, .needed_ram = ram_on(board, viewed.report)};
-    if (rate.needed_ram <= board.ram_bytes) {
-      const double bus_mhz = &board == request_.board ? request_.bus_mhz : board.spi_mhz;
-      rate.least = 1 / timeline(board, board.cycles_per_estimate.high, bus_mhz).back().send_end;
-      rate.most = 1 / timeline(board, board.cycles_per_estimate.low, bus_mhz).back().send_end;
-    }
-    viewed.rates.push_back(rate);
+    viewed.rates.push_back(rate_on(board, &board == request_.board ? request_.bus_mhz : board.spi_mhz, estimated));
   }
   viewed.text = text(viewed);
   Result<std::vector<std::uint8_t>> png = std::vector<std::uint8_t>{};
@@ -225,7 +159,8 @@ std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
     if (!rate.fits()) {
       lines.push_back(fmt::format("{}: {} of RAM, has {} KB", board->name, rate.words(), board->ram_bytes / 1024));
     } else {
-      const BoardTime time = time_on(*board, board->cycles_per_estimate.high, request_.bus_mhz, viewed, drawing_->view);
+      const BoardTime time =
+          time_on(*board, board->cycles_per_estimate.high, request_.bus_mhz, {report.plan, view, viewed.instructions});
       lines.push_back(fmt::format("{}: {:.0f} ms drawn{}, {:.0f} sent: about {}/s", board->name, 1e3 * time.draw,
                                   rate.least < rate.most ? " at most" : "", 1e3 * time.send, rate.words()));
     }

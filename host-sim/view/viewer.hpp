@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "accuracy/heat_map.hpp"
+#include "bench/board_estimate.hpp"
 #include "bench/board_model.hpp"
 #include "bench/strip_timeline.hpp"
 #include "cli/drawing_arguments.hpp"
@@ -27,16 +28,6 @@ struct ViewRequest {
   bool smooth = false;                ///< use more frames if an animation would have less than 30 a second
   const BoardModel* board = nullptr;  ///< the board whose speed is shown, or null
   double bus_mhz = 0;                 ///< of that board's SPI
-};
-
-/// The approximate number of frames that a board shows in a second, with its own bus; or its memory does not suffice.
-struct BoardRate {
-  std::string_view board;
-  double least = 0, most = 0;    ///< 0: the plan does not fit
-  std::uint64_t needed_ram = 0;  ///< bytes: arena, strip buffers and kReservedRam
-  bool fits() const { return most > 0; }
-  /// Returns "12.3", "8 to 17" where the core has no model, or "needs 28 KB".
-  std::string words() const;
 };
 
 /// A frame, and its cost on a device.

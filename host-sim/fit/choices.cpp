@@ -1,0 +1,190 @@
+// Each combination is a bake that writes nothing.
+#include "fit/choices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "accuracy/pareto.hpp"
+#include "image/to_rgb.hpp"
+#include "render/render_frame.hpp"
+#include "text/number.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr int kVisiblyOff = 24;
+constexpr std::uint32_t kSmallestSide = 8;
+constexpr const char* kPalettes[] = {"rgb565", "palette8", "palette4"};
+constexpr const char* kShares[] = {"", "50%", "25%", "12%", "6%"};
+constexpr std::size_t kFewTriangles = 64;  // fewer are not removed
+
+/// Draws the scene as it was baked, and fills in all that does not depend on other choices.
+Result<FitChoice> measured(const BakeArguments& arguments, const BoardModel& board, const BakedScene& baked,
+                           const BakeRecord& record) {
+  constexpr Effects kAdded = effect::perspective_runs | effect::depth_formats;
+  FrameRenderer renderer(baked.view, {}, baked.effects & kAdded);
+  const Result<FrameReport> drawn = renderer.render(Staging{baked.scene, baked.camera}, baked.plan);
+  if (!drawn) return drawn.failure();
+  Plan plan = baked.plan;
+  plan.mode = drawn->mode;
+  const std::uint64_t instructions =
+      estimated_cost(record.counts, baked.effects, baked.view, plan, work_of(drawn->statistics));
+  FitChoice choice{.arguments = arguments,
+                   .textures = {},
+                   .triangles = {},
+                   .flash = record.flash.total(),
+                   .ram = std::uint64_t{baked.plan.bytes()} +
+                          std::uint64_t{record.strip_buffers} * baked.plan.strip_pixel_bytes(baked.view) +
+                          record.skin_ram.vertices + record.skin_ram.joints,
+                   .triangle_count = record.counts.triangles,
+                   .rate = rate_on(board, board.spi_mhz, {baked.plan, baked.view, instructions}),
+                   .picture = rgb_image_of(baked.view, renderer.pixels())};
+  return choice;
+}
+
+void compare(FitChoice& choice, const RgbImage& whole) {
+  double sum = 0;
+  for (std::size_t i = 0; i < whole.rgb.size(); i += 3) {
+    int largest = 0;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const int difference = std::abs(int{choice.picture.rgb[i + channel]} - int{whole.rgb[i + channel]});
+      largest = std::max(largest, difference);
+      sum += difference * difference;
+    }
+    choice.off += largest > kVisiblyOff;
+  }
+  choice.rms = std::sqrt(sum / static_cast<double>(whole.rgb.size()));
+}
+
+/// By how much a choice exceeds its limits: at most 1 if it keeps them, and the worst in words.
+struct Excess {
+  double factor = 0;
+  std::string words;
+};
+
+Excess excess_of(const FitChoice& choice, const FitLimits& limits) {
+  Excess worst;
+  const auto consider = [&worst](double factor, std::string words) {
+    if (factor > worst.factor) worst = {factor, std::move(words)};
+  };
+  if (limits.flash) {
+    consider(
+        static_cast<double>(choice.flash) / static_cast<double>(*limits.flash),
+        fmt::format("takes {} of flash, and {} are allowed", counted(choice.flash, "byte"), grouped(*limits.flash)));
+  }
+  consider(static_cast<double>(choice.ram) / static_cast<double>(limits.ram),
+           fmt::format("takes {} of RAM, and {} are allowed", counted(choice.ram, "byte"), grouped(limits.ram)));
+  if (limits.frames) {
+    consider(choice.rate.least > 0 ? *limits.frames / choice.rate.least : std::numeric_limits<double>::infinity(),
+             fmt::format("has {} frames a second, and {:g} are asked for", choice.rate.words(), *limits.frames));
+  }
+  return worst;
+}
+
+/// The sides of the largest texture and of its halves; only 0, as it is, without textures.
+std::vector<std::uint32_t> texture_sides(const Scene& scene) {
+  std::vector<std::uint32_t> sides{0};
+  std::uint32_t largest = 0;
+  for (const Texture& texture : scene.textures) {
+    largest = std::max(largest, 1U << std::max(texture.log2_width, texture.log2_height));
+  }
+  for (std::uint32_t side = largest / 2; side >= kSmallestSide; side /= 2) sides.push_back(side);
+  return sides;
+}
+
+std::string texture_words(const BakeArguments& arguments) {
+  const std::string side = arguments.camera.reduction.texture_size.value_or("whole");
+  if (arguments.textures == "rgb565") return side;
+  return side + (arguments.textures == "palette8" ? ", 256 colours" : ", 16 colours");
+}
+
+/// Of the choices that keep the limits, those that no other one beats, the best looking first.
+void keep_front(std::vector<FitChoice>& choices) {
+  std::vector<Respects> respects;
+  for (const FitChoice& choice : choices) {
+    respects.push_back({static_cast<double>(choice.flash), choice.rms, 1 / choice.rate.least});
+  }
+  const std::vector<bool> front = pareto_front(respects);
+  std::vector<FitChoice> kept;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (front[i]) kept.push_back(std::move(choices[i]));
+  }
+  std::ranges::stable_sort(
+      kept, [](const FitChoice& a, const FitChoice& b) { return a.rms != b.rms ? a.rms < b.rms : a.flash < b.flash; });
+  choices = std::move(kept);
+}
+
+}  // namespace
+
+Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, const FitLimits& limits,
+                         const std::function<void(std::uint32_t done, std::uint32_t all)>& progress) {
+  FitSearch found;
+  std::vector<std::uint32_t> sides{0};
+  std::vector<const char*> shares{""};
+  std::vector<const char*> palettes{"rgb565"};
+  double nearest = std::numeric_limits<double>::infinity();
+  std::optional<Failure> refused;
+  for (std::size_t s = 0; s < shares.size(); ++s) {
+    for (std::size_t t = 0; t < sides.size(); ++t) {
+      std::unique_ptr<Stage> stage;
+      for (std::size_t p = 0; p < palettes.size(); ++p) {
+        BakeArguments arguments = base;
+        if (*shares[s] != '\0') arguments.camera.reduction.triangles = shares[s];
+        if (sides[t] != 0) arguments.camera.reduction.texture_size = std::to_string(sides[t]);
+        arguments.textures = palettes[p];
+        std::optional<FitChoice> choice;
+        // The memory is no limit of the first, which is what the others are compared with.
+        const bool is_whole = found.tried == 0;
+        const BakeTrial trial{&stage, [&](const BakedScene& baked, const BakeRecord& record) -> Result<Done> {
+                                Result<FitChoice> one = measured(arguments, board, baked, record);
+                                if (!one) return one.failure();
+                                choice = std::move(*one);
+                                return Done{};
+                              }};
+        if (is_whole) {
+          BakeArguments whole = arguments;
+          whole.output = "whole.hpp";
+          whole.plan.memory.ram.reset();
+          whole.pico = {};
+          if (const Result<Done> done = bake(whole, &trial); !done) return done.failure();
+          found.whole = choice->picture;
+          choice.reset();
+          const Result<Staging> staging = stage->place(0, 1);
+          if (!staging) return staging.failure();
+          sides = texture_sides(staging->scene);
+          if (!staging->scene.textures.empty()) palettes.assign(std::begin(kPalettes), std::end(kPalettes));
+          if (count(staging->scene).triangles >= kFewTriangles) shares.assign(std::begin(kShares), std::end(kShares));
+        }
+        const Result<Done> done = bake(arguments, &trial);
+        progress(++found.tried, static_cast<std::uint32_t>(shares.size() * sides.size() * palettes.size()));
+        if (!done) {
+          if (done.failure().status != ExitStatus::budget) return done.failure();
+          refused = done.failure();
+          continue;
+        }
+        choice->textures = texture_words(arguments);
+        choice->triangles = *shares[s] == '\0' ? "all" : shares[s];
+        compare(*choice, found.whole);
+        const Excess excess = excess_of(*choice, limits);
+        if (excess.factor <= 1) {
+          found.choices.push_back(std::move(*choice));
+        } else if (excess.factor < nearest || found.nearest.empty()) {
+          nearest = excess.factor;
+          found.nearest = fmt::format("the nearest, with textures {} and {} of the triangles, {}", choice->textures,
+                                      choice->triangles, excess.words);
+        }
+      }
+    }
+  }
+  if (found.nearest.empty() && refused) found.nearest = refused->message;
+  keep_front(found.choices);
+  return found;
+}
+
+}  // namespace zstrip::sim

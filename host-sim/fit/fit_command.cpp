@@ -1,0 +1,203 @@
+// Options of `zstrip fit`.
+#include "fit/fit_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "cli/bake_kind.hpp"
+#include "cli/nearest_name.hpp"
+#include "cli/one_of.hpp"
+#include "cli/parse.hpp"
+#include "cli/print.hpp"
+#include "cli/sibling_program.hpp"
+#include "fit/fit_report.hpp"
+#include "image/inputs.hpp"
+#include "image/write_file.hpp"
+#include "text/progress.hpp"
+#include "text/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+struct Arguments {
+  std::string scene, board;
+  std::string size = "240x240", format = "rgb565_swapped";
+  CameraArguments camera;
+  std::optional<std::string> flash, ram, output, html, json;
+  std::optional<double> frames;
+  std::optional<std::uint32_t> choose;
+  bool quiet = false;
+};
+
+std::vector<std::string_view> names_of_boards() {
+  std::vector<std::string_view> names;
+  for (const BoardModel& board : board_models()) names.push_back(board.name);
+  return names;
+}
+
+Result<FitLimits> parse_limits(const Arguments& arguments, const BoardModel& board) {
+  FitLimits limits{.flash = {}, .ram = board.ram_bytes - kReservedRam, .frames = arguments.frames};
+  if (limits.frames && !(std::isfinite(*limits.frames) && *limits.frames > 0)) {
+    return usage("--fps must be more than 0");
+  }
+  if (arguments.flash) {
+    const Result<std::uint32_t> bytes = parse_bytes(*arguments.flash, "--flash");
+    if (!bytes) return bytes.failure();
+    limits.flash = *bytes;
+  }
+  if (arguments.ram) {
+    const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
+    if (!bytes) return bytes.failure();
+    if (*bytes > limits.ram) {
+      return usage(fmt::format("--ram {}: {} has {} for arena and pixels", *arguments.ram, board.name, limits.ram));
+    }
+    limits.ram = *bytes;
+  }
+  return limits;
+}
+
+/// Returns the bake of the whole model.
+BakeArguments whole_bake(const Arguments& arguments, const BoardModel& board, const FitLimits& limits) {
+  BakeArguments whole;
+  whole.scene = arguments.scene;
+  whole.output = arguments.output.value_or("scene.zsc");
+  whole.plan.view.size = arguments.size;
+  whole.plan.view.format = arguments.format;
+  whole.plan.memory.ram = std::to_string(limits.ram);
+  whole.plan.strip_buffers = board.dma ? 2 : 1;
+  whole.camera = arguments.camera;
+  whole.quiet = true;
+  return whole;
+}
+
+Result<Done> write_text_file(const std::string& path, const std::string& text, const char* option) {
+  if (const Result<Done> checked = check_no_input(path, option); !checked) return checked.failure();
+  return write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, option);
+}
+
+/// Refuses two outputs at one place.
+Result<Done> check_outputs(const Arguments& arguments) {
+  std::set<std::filesystem::path> places;
+  for (const std::optional<std::string>& output : {arguments.output, arguments.html, arguments.json}) {
+    std::error_code ignored;
+    if (output && *output != "-" && !places.insert(std::filesystem::weakly_canonical(*output, ignored)).second) {
+      return usage(fmt::format("'{}' is the file of two of -o, --html and --json; name another one", *output));
+    }
+  }
+  return Done{};
+}
+
+Result<Done> run(const Arguments& arguments) {
+  const BoardModel* const board = find_board(arguments.board);
+  if (board == nullptr) return usage(unknown_name("--board", arguments.board, names_of_boards()));
+  if (kind_of_scene(arguments.scene) != SceneKind::model) {
+    return usage(fmt::format("fit makes model files smaller; '{}' is none", arguments.scene));
+  }
+  const Result<FitLimits> limits = parse_limits(arguments, *board);
+  if (!limits) return limits.failure();
+  BakeArguments whole = whole_bake(arguments, *board, *limits);
+  const Result<BakeKind> kind = bake_kind(whole.output);
+  if (!kind) return kind.failure();
+  if (*kind == BakeKind::pico) {
+    if (arguments.board != "pico" && arguments.board != "pico2") {
+      return usage("-o FILE.uf2 is for --board pico or pico2");
+    }
+    whole.pico.board = arguments.board;
+  }
+  if (const Result<Done> distinct = check_outputs(arguments); !distinct) return distinct.failure();
+  Result<FitSearch> found = [&] {
+    Progress progress(1, !arguments.quiet, "combination");
+    return search(whole, *board, *limits, [&](std::uint32_t done, std::uint32_t all) { progress.show(done, all); });
+  }();
+  if (!found) return found.failure();
+  if (found->choices.empty()) {
+    return Failure{ExitStatus::budget, fmt::format("none of {} combinations fits: {}", found->tried, found->nearest)};
+  }
+  const std::size_t chosen = arguments.choose.value_or(1) - 1;
+  if (chosen >= found->choices.size()) {
+    return usage(fmt::format("--choose {}: there are {} choices", chosen + 1, found->choices.size()));
+  }
+  if (arguments.output) {
+    if (const Result<Done> written = bake(found->choices[chosen].arguments); !written) return written.failure();
+  }
+  if (arguments.html) {
+    const Result<std::string> page = fit_page(*found, *board, chosen);
+    if (!page) return page.failure();
+    if (const Result<Done> written = write_text_file(*arguments.html, *page, "--html"); !written) {
+      return written.failure();
+    }
+  }
+  const bool json_on_stdout = arguments.json == "-";
+  if (json_on_stdout) write_text(stdout, fit_json(*found, *board, chosen));
+  if (arguments.json && !json_on_stdout) {
+    const Result<Done> written = write_text_file(*arguments.json, fit_json(*found, *board, chosen), "--json");
+    if (!written) return written.failure();
+  }
+  if (!arguments.quiet) write_text(json_on_stdout ? stderr : stdout, fit_table(*found, *board, chosen));
+  return Done{};
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(kFitCommand.name, kFitCommand.description);
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  command->add_option("model", a.scene, "A model (.obj .gltf .glb .stl .ply .3ds .dae ...)")
+      ->required()
+      ->type_name("MODEL");
+  command
+      ->add_option("--board", a.board, fmt::format("The board that it is for: {}", fmt::join(names_of_boards(), ", ")))
+      ->required()
+      ->type_name("NAME");
+  command->add_option("--size", a.size, "Size of the picture")
+      ->transform(lower_case())
+      ->type_name("WxH")
+      ->capture_default_str();
+  command->add_option("--format", a.format, "Pixels of the display")
+      ->transform(lower_case())
+      ->type_name("FORMAT")
+      ->capture_default_str();
+  command->add_option("--flash", a.flash, "Bytes of the scene at most, K and M allowed (default: any)")
+      ->type_name("BYTES");
+  command
+      ->add_option("--ram", a.ram, "Bytes of arena, strip buffers and skins at most (default: the board's, less 4,096)")
+      ->type_name("BYTES");
+  command->add_option("--fps", a.frames, "Frames a second at least, of the least that is estimated (default: any)")
+      ->type_name("N");
+  add_camera_options(*command, a.camera);
+  command->add_option("--choose", a.choose, "The choice to write, by its number (default: 1, the best looking)")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 1000U));
+  command
+      ->add_option("-o,--output", a.output,
+                   "The file to write, as by zstrip bake, whose flash counts: .zsc (default, not written), .uf2, .hpp, "
+                   ".ino, .cpp")
+      ->type_name("FILE");
+  command->add_option("--html", a.html, "Write the choices with their pictures as a page")->type_name("FILE");
+  command->add_option("--json", a.json, "Write the choices as JSON; - is standard output")->type_name("FILE|-");
+  command->add_flag("--quiet", a.quiet, "No table and no progress");
+  command->footer(
+      "Exit status 5 where nothing fits; the message says what comes nearest, and which limit it breaks.\nExamples:\n"
+      "  zstrip fit truck.glb --board pico --flash 1M --html sheet.html\n"
+      "  zstrip fit truck.glb --board pico --flash 512K --fps 20 --choose 3 -o truck.zsc\n"
+      "  zstrip fit truck.glb --board pico -o truck.uf2");
+  command->callback([arguments, &exit_code] {
+    const Result<Done> done = run(*arguments);
+    exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());
+  });
+}
+
+}  // namespace zstrip::sim
