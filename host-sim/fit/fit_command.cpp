@@ -91,8 +91,10 @@ Result<Done> write_text_file(const std::string& path, const std::string& text, c
 Result<Done> check_outputs(const Arguments& arguments) {
   std::set<std::filesystem::path> places;
   for (const std::optional<std::string>& output : {arguments.output, arguments.html, arguments.json}) {
-    std::error_code ignored;
-    if (output && *output != "-" && !places.insert(std::filesystem::weakly_canonical(*output, ignored)).second) {
+    if (!output || *output == "-") continue;
+    std::error_code ignored;  // absolute: the canonical path of what does not exist stays relative
+    const std::filesystem::path place = std::filesystem::absolute(*output, ignored);
+    if (!places.insert(std::filesystem::weakly_canonical(place, ignored)).second) {
       return usage(fmt::format("'{}' is the file of two of -o, --html and --json; name another one", *output));
     }
   }

@@ -63,21 +63,21 @@ TEST_F(Fit, MemoryIsThatOfTheBakeOfTheSameOptions) {
 
 TEST_F(Fit, WhatFitsNothingSaysWhichLimitAndHowNear) {
   const std::string model = sphere();
-  const Outcome flash = zstrip({"fit", model, "--board", "pico", "--flash", "100"});
+  const Outcome flash = zstrip({"fit", model, "--board", "pico", "--size", "64x48", "--flash", "100"});
   EXPECT_EQ(flash.status, 5);
   EXPECT_NE(flash.err.find("of flash, and 100 are allowed"), std::string::npos) << flash.err;
   EXPECT_EQ(std::ranges::count(flash.err, '\n'), 1) << flash.err;
-  const Outcome frames = zstrip({"fit", model, "--board", "pico", "--fps", "100000"});
+  const Outcome frames = zstrip({"fit", model, "--board", "pico", "--size", "64x48", "--fps", "100000"});
   EXPECT_EQ(frames.status, 5);
   EXPECT_NE(frames.err.find("frames a second, and 100000 are asked for"), std::string::npos) << frames.err;
-  EXPECT_EQ(zstrip({"fit", model, "--board", "pico", "--ram", "100"}).status, 5);
+  EXPECT_EQ(zstrip({"fit", model, "--board", "pico", "--size", "64x48", "--ram", "100"}).status, 5);
   EXPECT_EQ(files(), (std::vector<std::string>{"colours.tga", "sphere.mtl", "sphere.obj"}));
 }
 
 TEST_F(Fit, OptionsThatMeanNothingAreUsageErrors) {
   const std::string model = sphere();
   const auto status = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {"fit", model});
+    options.insert(options.begin(), {"fit", model, "--size", "64x48"});
     return zstrip(options).status;
   };
   EXPECT_EQ(status({}), 2) << "no board";
