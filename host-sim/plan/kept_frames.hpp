@@ -6,8 +6,8 @@
 
 #include "render/stage.hpp"
 #include "result.hpp"
+#include "zstrip/budget.hpp"
 #include "zstrip/plan/depth_choice.hpp"
-#include "zstrip/store/layer_bytes.hpp"
 
 namespace zstrip::sim {
 

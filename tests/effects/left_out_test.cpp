@@ -13,7 +13,7 @@
 #include "outlines_scene.hpp"
 #include "overlay_scene.hpp"
 #include "shadows_scene.hpp"
-#include "zstrip/effects/unclipped/narrow_box.hpp"
+#include "zstrip/effects/unclipped/unclipped_stage.hpp"
 #include "zstrip/fixed_renderer.hpp"
 #include "zstrip/state/bounds.hpp"
 #include "zstrip_scenes/cube.hpp"

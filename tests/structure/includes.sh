@@ -12,7 +12,7 @@ order=(
   'scene/* @(animation|blob|camera|effects|overlay|scene|skin|view).hpp'
   'store/*'
   'budget.hpp'
-  'effects/*/effect.hpp effects/@(changed_instances|effect|exclusions|list|memory|without_wing).hpp
+  'effects/*/effect.hpp effects/@(effect|exclusions|list|memory).hpp
     visibility/@(depth_bounds|exclusions|memory|method_state|methods|options|traits).hpp'
   'plan/* plan.hpp'
   'geometry/* visibility/triangle_order.hpp'

@@ -1,6 +1,7 @@
 // Effects and methods that exclude each other: all checks and messages follow from these rules.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <utility>
 

@@ -1,15 +1,15 @@
-// All effects that have a wing: their names, and their exclusions.
+// All effects: their names, and their exclusions.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <iterator>
 
 #include "zstrip/effects/billboards/effect.hpp"
 #include "zstrip/effects/blending/effect.hpp"
 #include "zstrip/effects/csg/effect.hpp"
 #include "zstrip/effects/dithering/effect.hpp"
 #include "zstrip/effects/edges/effect.hpp"
+#include "zstrip/effects/effect.hpp"
 #include "zstrip/effects/environment/effect.hpp"
 #include "zstrip/effects/fog/effect.hpp"
 #include "zstrip/effects/fragments/effect.hpp"
@@ -23,10 +23,26 @@
 #include "zstrip/effects/shadows/effect.hpp"
 #include "zstrip/effects/skins/effect.hpp"
 #include "zstrip/effects/unclipped/effect.hpp"
-#include "zstrip/effects/without_wing.hpp"
 #include "zstrip/visibility/exclusions.hpp"
 
 namespace zstrip::detail {
+
+/// They exist only in the loops of geometry and raster.
+struct EffectsWithoutWing : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::lighting, "lighting", "lit, with normals"},
+      {effect::gouraud, "gouraud", "smooth shading"},
+      {effect::vertex_colours, "vertex_colours", "vertex colours"},
+      {effect::textures, "textures", "a texture and texture coordinates"},
+      {effect::orthographic, "orthographic", "the camera's parallel projection"},
+      {effect::depth_state, "depth_state", "a depth test, depth write or bias of its own"},
+      {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
+  };
+  static constexpr Exclusion kExclusions[] = {
+      {effect::orthographic, effect::depth_float,
+       "the small float keeps 1/w, which is the same everywhere without perspective"},
+  };
+};
 
 template <class... Described>
 struct EffectList {

@@ -6,14 +6,29 @@
 #include <type_traits>
 
 #include "zstrip/effects/blending/effect.hpp"
-#include "zstrip/effects/changed_instances.hpp"
 #include "zstrip/effects/csg/effect.hpp"
 #include "zstrip/effects/edges/effect.hpp"
+#include "zstrip/effects/effect.hpp"
 #include "zstrip/effects/environment/effect.hpp"
 #include "zstrip/effects/fog/effect.hpp"
 #include "zstrip/effects/local_light/effect.hpp"
 #include "zstrip/effects/outlines/effect.hpp"
 #include "zstrip/effects/shadows/effect.hpp"
+
+namespace zstrip::detail::changed_instances {
+
+/// Rotated billboards, followed by hulls. They lie in the arena, because the caller's instances must not change.
+struct Memory : AnyEffect {
+  static constexpr Effects kNeedMemory = effect::billboards | effect::outlines;
+  static constexpr std::uint32_t kInstanceBytes = 52;
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) {
+    return std::uint64_t{counts.instances} * kInstanceBytes;
+  }
+};
+
+static_assert(sizeof(Instance) == Memory::kInstanceBytes);
+
+}  // namespace zstrip::detail::changed_instances
 
 namespace zstrip::detail {
 

@@ -1,4 +1,4 @@
-// RGB565: packs channels, adds pixels, multiplies texels by light.
+// RGB565: packs and expands channels, adds pixels, multiplies texels by light.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,22 @@
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
+
+/// A fragment's colour before it is written, 0..255 a channel.
+struct FragmentColour {
+  std::uint32_t r, g, b, a;
+};
+
+/// Converts RGB565 to 8 bits a channel by repeating the upper bits: 31 and 63 become 255.
+constexpr FragmentColour expanded(std::uint16_t pixel) {
+  const std::uint32_t r = pixel >> 11, g = (pixel >> 5) & 0x3FU, b = pixel & 0x1FU;
+  return {(r << 3) | (r >> 2), (g << 2) | (g >> 4), (b << 3) | (b >> 2), 255};
+}
+
+/// Returns the mean of `a`, weighted `share` (0..256), and `b`, weighted 256 - share, rounded to nearest.
+constexpr std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t share) {
+  return (a * share + b * (256 - share) + 128) >> 8;
+}
 
 constexpr std::uint16_t rgb565(const Colour& c) {
   return static_cast<std::uint16_t>(((c.r & 0xF8U) << 8) | ((c.g & 0xFCU) << 3) | (c.b >> 3));

@@ -1,9 +1,9 @@
 // Estimates the instructions of a frame on a Cortex-M3 from its work, and the work of a plan from counts alone.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/budget.hpp"

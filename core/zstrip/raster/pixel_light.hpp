@@ -7,7 +7,7 @@
 
 #include "zstrip/base/pixel_direction.hpp"
 #include "zstrip/effects/local_light/local_light.hpp"
-#include "zstrip/pixels/fragment_colour.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/raster/lit_corners.hpp"
 #include "zstrip/raster/space_planes.hpp"
 

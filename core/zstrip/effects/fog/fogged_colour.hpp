@@ -5,7 +5,6 @@
 
 #include "zstrip/effects/fog/fog.hpp"
 #include "zstrip/pixels/colour.hpp"
-#include "zstrip/pixels/fragment_colour.hpp"
 
 namespace zstrip::detail {
 

@@ -2,9 +2,14 @@
 #pragma once
 
 #include "zstrip/effects/stage.hpp"
-#include "zstrip/effects/unclipped/narrow_box.hpp"
+#include "zstrip/geometry/project.hpp"
 
 namespace zstrip::detail::unclipped {
+
+/// True if project_narrow accepts every position, with any reciprocal. Its limits for x, y and w are linear in the
+/// position, so that testing the corners of the box is enough.
+template <bool orthographic>
+bool is_box_narrow(const CompiledInstance& instance, const RasterOrigin& origin);
 
 struct Stage : NoStage {
   static constexpr Effects kEffects = effect::unclipped;

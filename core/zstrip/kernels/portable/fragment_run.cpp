@@ -8,7 +8,6 @@
 #include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/pixels/colour.hpp"
-#include "zstrip/pixels/fragment_colour.hpp"
 
 namespace zstrip::detail {
 namespace {

@@ -1,5 +1,5 @@
 // Compares a box's corners with the limits of project_narrow; only renderers with effect::unclipped link it.
-#include "zstrip/effects/unclipped/narrow_box.hpp"
+#include "zstrip/effects/unclipped/unclipped_stage.hpp"
 
 namespace zstrip::detail::unclipped {
 namespace {
