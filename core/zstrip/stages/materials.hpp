@@ -6,6 +6,7 @@
 
 #include "zstrip/effects/fog/curve_of.hpp"
 #include "zstrip/effects/local_light/kept.hpp"
+#include "zstrip/pixels/colour.hpp"
 #include "zstrip/pixels/target.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
 #include "zstrip/state/frame_parts.hpp"
