@@ -1,6 +1,8 @@
 // Declared, not there: what code without highlights, punctual lights and emission may know of them.
 #pragma once
 
+#include <cstdint>
+
 #include "zstrip/camera.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
@@ -8,7 +10,9 @@
 
 namespace zstrip::detail {
 
-struct FrameLights {};
+struct FrameLights {
+  std::uint32_t count;
+};
 struct InstanceShading {};
 FrameLights frame_lights(const Scene& scene, const Camera& camera);
 InstanceShading instance_shading(const Mesh& mesh, const Transform& transform, const Camera& camera);
