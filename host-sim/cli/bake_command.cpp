@@ -22,6 +22,7 @@
 #include "bake/program_text.hpp"
 #include "bake/scene_blob.hpp"
 #include "bake/shown_edges.hpp"
+#include "bake/stage_skins.hpp"
 #include "bake/unmoved_scene.hpp"
 #include "cli/bake_kind.hpp"
 #include "cli/baked_method.hpp"
@@ -67,15 +68,15 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 
 /// Returns the skins that the output moves; a blob has none.
 BakedSkins skins_of(BakeKind kind, const Stage& stage, bool warn) {
-  const Model* const model = stage.model();
-  if (!stage.bends() || model == nullptr) return {};
-  if (!is_source(kind)) {
-    if (warn)
+  const BakedSkins skins = skins_of(stage);
+  if (!skins.meshes.empty() && !is_source(kind)) {
+    if (warn) {
       print_warning(
           "a blob has no skins: what joints move stands still in it as at frame 0; a header (-o FILE.hpp) moves it");
+    }
     return {};
   }
-  return {model->skins, model->joints, model->rest, stage.joint_animation()};
+  return skins;
 }
 
 /// Returns the effects that the picture's settings choose in addition to the view.

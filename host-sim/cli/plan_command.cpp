@@ -10,6 +10,8 @@
 #include <optional>
 #include <string>
 
+#include "bake/flash_bytes.hpp"
+#include "bake/stage_skins.hpp"
 #include "cli/parse.hpp"
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
@@ -129,6 +131,9 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();
   choice->kept = *kept;
+  choice->flash_bytes =
+      flash_bytes(prepared->staging().scene, (*stage)->animation(), prepared->staging().tree, skins_of(**stage))
+          .total();
   choice->depth = advice;
   write_text(stdout, arguments.json ? plan_json(arguments.scene, *request, *choice)
                                     : plan_table(arguments.scene, *request, *choice));  // main checks the stream

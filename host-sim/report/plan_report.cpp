@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/board_estimate.hpp"
 #include "report/frame_record.hpp"
 #include "report/plan_words.hpp"
 #include "text/number.hpp"
@@ -113,6 +114,36 @@ std::string curve(const PlanChoice& choice, const View& view) {
   return text;
 }
 
+std::vector<BoardRate> rates_of(const PlanRequest& request, const PlanChoice& choice) {
+  std::vector<BoardRate> rates;
+  for (const BoardModel& board : board_models()) {
+    rates.push_back(
+        rate_on(board, board.spi_mhz,
+                {.plan = choice.chosen.plan, .view = request.view, .instructions = choice.chosen.instructions}));
+  }
+  return rates;
+}
+
+std::string rates_text(const PlanRequest& request, const PlanChoice& choice) {
+  std::vector<std::string> rates, too_small;
+  for (const BoardRate& rate : rates_of(request, choice)) {
+    (rate.fits() ? rates : too_small).push_back(fmt::format("{} {}", rate.board, rate.words()));
+  }
+  std::string text = "Frames a second with this plan, about, one core drawing: ";
+  text += rates.empty() ? "no board has the memory.\n" : fmt::format("{}.\n", fmt::join(rates, ", "));
+  if (!too_small.empty()) text += fmt::format("Boards without the memory: {}.\n", fmt::join(too_small, ", "));
+  return text;
+}
+
+Json rates_json(const PlanRequest& request, const PlanChoice& choice) {
+  Json rates = Json::array();
+  for (const BoardRate& rate : rates_of(request, choice)) {
+    rates.push_back({{"board", rate.board}, {"needed_ram", rate.needed_ram}, {"frames_a_second", nullptr}});
+    if (rate.fits()) rates.back()["frames_a_second"] = {{"least", rate.least}, {"most", rate.most}};
+  }
+  return rates;
+}
+
 Json to_object(const Alternative& alternative, const LayerBytes& layer) {
   const Plan& plan = alternative.plan;
   Json bytes;
@@ -157,13 +188,14 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
   text += fmt::format(
       "{:>10}  {:<12} {}\n", grouped(chosen.total_bytes), "total",
       request.budget.bytes == 0 ? "no limit given" : fmt::format("of {} allowed", grouped(request.budget.bytes)));
+  text += fmt::format("{:>10}  {:<12} of the scene; a program adds its code\n", grouped(choice.flash_bytes), "flash");
   text += curve(choice, request.view);
   if (choice.depth) text += depth_table(*choice.depth);
   if (has_layer(request, choice)) text += layer_table(choice.kept);
   text += "Instructions: a frame on a Cortex-M3, estimated from what the first frame does; zstrip bench measures.\n";
   const std::vector<std::string> left_out = left_out_of_estimates(choice.effects);
   if (!left_out.empty()) text += fmt::format("The estimate leaves out: {}.\n", fmt::join(left_out, ", "));
-  return text;
+  return text + rates_text(request, choice);
 }
 
 std::string plan_json(const std::string& scene, const PlanRequest& request, const PlanChoice& choice) {
@@ -202,6 +234,8 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                    {"largest_meshlet", choice.counts.largest_meshlet},
                    {"longest_meshlet", choice.counts.longest_meshlet}}},
                  {"estimate_leaves_out", left_out_of_estimates(choice.effects)},
+                 {"flash_bytes", choice.flash_bytes},
+                 {"boards", rates_json(request, choice)},
                  {"plan", to_object(choice.chosen, request.budget.layer)},
                  {"curve", curve},
                  {"depth", depth},

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bake/flash_bytes.hpp"
+#include "bake/stage_skins.hpp"
 #include "bench/board_estimate.hpp"
 #include "image/encode.hpp"
 #include "image/to_rgb.hpp"
@@ -107,7 +108,8 @@ Result<ViewedFrame> Viewer::draw(bool with_png) {
                      .rates = {},
                      .heat = {},
                      .text = {}};
-  viewed.flash_bytes = flash_bytes(staging->scene, drawer_->stage().animation(), staging->tree).total();
+  const Stage& stage = drawer_->stage();
+  viewed.flash_bytes = flash_bytes(staging->scene, stage.animation(), staging->tree, skins_of(stage)).total();
   const Effects effects = effects_of(staging->scene, staging->camera) | effects_of(drawing_->view);
   viewed.instructions = estimated_cost(count(staging->scene), effects, drawing_->view, viewed.report.plan,
                                        work_of(viewed.report.statistics));

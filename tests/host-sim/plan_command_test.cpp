@@ -53,6 +53,27 @@ TEST_F(Command, PlanSaysWhichEffectsItsEstimateLeavesOut) {
   EXPECT_EQ(left_out({"fog", "--edges"}), Names{"edges"});
 }
 
+TEST_F(Command, PlanSaysFlashAndFramesASecondOfBoards) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/gallery/watch.toml";
+  const auto plan = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"plan", scene, "--ram", "22K", "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    return nlohmann::json::parse(zstrip(words).out);
+  };
+  const auto rate = [](const nlohmann::json& planned, const char* name) {
+    for (const auto& board : planned.at("boards")) {
+      if (board.at("board") == name) return board.at("frames_a_second");
+    }
+    return nlohmann::json("no such board");
+  };
+  const nlohmann::json four = plan({}), one = plan({"--samples", "1"});
+  EXPECT_EQ(rate(four, "microbit"), nullptr) << "it has 16 KB";
+  EXPECT_GT(rate(one, "pico").at("least").get<double>(), 1.5 * rate(four, "pico").at("least").get<double>());
+  EXPECT_LT(rate(four, "esp32s3").at("least").get<double>(), rate(four, "esp32s3").at("most").get<double>());
+  const Outcome baked = zstrip({"bake", scene, "-o", path("scene.hpp"), "--ram", "22K", "--json", "-"});
+  EXPECT_EQ(four.at("flash_bytes"), nlohmann::json::parse(baked.out).at("flash_bytes").at("total")) << baked.out;
+}
+
 TEST_F(Command, PlanListsAPurposeOnlyIfTheSceneHasIt) {
   const auto arena = [this](const std::string& scene) {
     const Outcome outcome = zstrip({"plan", scene, "--json"});
