@@ -126,7 +126,7 @@ Result<RamLimit> parse_memory(const MemoryArguments& arguments, const PictureSet
                                            pixels(arguments.strip_columns, settings.strip_columns), view, budget);
   if (!strips) return strips.failure();
   if (arguments.ram) {
-    if (lower(*arguments.ram) == kWholePicture) return RamLimit::given;
+    if (lower(*arguments.ram) == kWholePicture) return RamLimit::whole;
     const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
     if (!bytes) return bytes.failure();
     budget.bytes = *bytes;

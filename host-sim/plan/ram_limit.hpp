@@ -13,6 +13,7 @@ inline constexpr std::uint32_t kUsualRam = 24 * 1024;
 
 enum class RamLimit : std::uint8_t {
   given,  ///< a scene that needs more is refused
+  whole,  ///< no limit, and one strip if no rows are given: two may be estimated to be faster
   usual,  ///< kUsualRam, or a board's memory; a scene that needs more gets as much as it needs
 };
 
@@ -20,6 +21,11 @@ enum class RamLimit : std::uint8_t {
 constexpr Budget with_enough_ram(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget,
                                  RamLimit limit) {
   if (limit == RamLimit::given) return budget;
+  if (limit == RamLimit::whole) {
+    Budget whole = budget;
+    if (whole.strip_rows == 0) whole.strip_rows = view.height;
+    return whole;
+  }
   const Status status = plan(counts, view, effects, budget).status;
   Budget enough = budget;
   if (status.error == Error::arena_too_small) enough.bytes = status.needed;
