@@ -12,8 +12,11 @@ namespace zstrip {
 
 /// Bytes of each part of StaticLayer::Memory. All 0: no static layer.
 struct LayerBytes {
-  std::uint32_t depth = 0, colour = 0, dirty = 0;
+  std::uint32_t depth = 0;   ///< the pool of depth
+  std::uint32_t colour = 0;  ///< the pool of colour
+  std::uint32_t dirty = 0;   ///< one bit for each tile
 
+  /// Returns the bytes of all parts.
   constexpr std::uint64_t sum() const { return std::uint64_t{depth} + colour + dirty; }
 };
 

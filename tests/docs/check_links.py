@@ -64,7 +64,7 @@ def problems_of(site, pages):
                 yield f"{name}: {address} is not there"
         for address in pages[page].links:
             if is_elsewhere(address):
-                if urllib.parse.urlsplit(address).hostname in ("localhost", "127.0.0.1"):
+                if urllib.parse.urlsplit(address).netloc.split(":")[0] in ("localhost", "127.0.0.1"):
                     yield f"{name}: {address} is a server of the reader"
                 continue
             file, place = resolve(site, page, address)
