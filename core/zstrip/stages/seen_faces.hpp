@@ -17,9 +17,13 @@
 
 namespace zstrip::detail {
 
-/// For size only skins are lit so: half a kilobyte of code less.
+/// True if only light reads the normals of vertices: with outlines or light at pixels it would be up to 2 KB more code
+/// for nothing. Pipelines that count have all effects, and light as a board's program for the scene does. For size only
+/// skins are lit so: half a kilobyte of code less.
 constexpr bool lights_seen_vertices(Effects effects) {
-  return has_vertex_colours(effects) && (!kForSize || effects.has(effect::skins));
+  return has_vertex_colours(effects) &&
+         (effects.has(effect::statistics) || !effects.any(effect::outlines | effect::pixel_shading)) &&
+         (!kForSize || effects.has(effect::skins));
 }
 
 /// Meshlets with more vertices are lit as a whole; so are meshlets that need clipping.
