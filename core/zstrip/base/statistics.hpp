@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace zstrip {
 
@@ -51,6 +52,21 @@ struct WorkCounts {
   constexpr std::uint32_t operator[](WorkKind kind) const { return of[static_cast<std::size_t>(kind)]; }
 };
 
+/// In place of WorkCounts on boards: takes no memory and counts nothing.
+struct NoWorkCounts {
+  struct Ignored {
+    constexpr void operator+=(std::uint32_t) const {}
+    constexpr void operator++() const {}
+  };
+  constexpr Ignored operator[](WorkKind) const { return {}; }
+  constexpr operator WorkCounts() const { return {}; }
+};
+#ifdef __wasm__
+inline constexpr bool kKeepsWork = true;  // the playground
+#else
+inline constexpr bool kKeepsWork = sizeof(void*) > 4;  // computers
+#endif
+
 struct Statistics {
   std::uint32_t triangles = 0;  ///< sum over all instances, before any culling
   std::uint32_t drawn = 0;      ///< front-facing triangles that reach into the picture; counted in the first strip that
@@ -60,7 +76,7 @@ struct Statistics {
   std::uint32_t vertices = 0;   ///< transformed vertices; in Mode::streamed counted again for each strip
   std::uint32_t fragments = 0;  ///< pixels covered by triangles, before the depth test
   std::uint32_t depth_passes = 0;  ///< fragments that were written
-  WorkCounts work{};
+  [[no_unique_address]] std::conditional_t<kKeepsWork, WorkCounts, NoWorkCounts> work{};  ///< all 0 on boards
 };
 
 namespace detail {

@@ -96,7 +96,7 @@ struct Work {
   WorkCounts kinds{};
 };
 constexpr Work work_of(const Statistics& done) {
-  const WorkCounts& kinds = done.work;
+  const WorkCounts kinds = done.work;
   Work work{.vertices = done.vertices + kinds[WorkKind::vertices_again],
             .covering = done.covering + kinds[WorkKind::triangles_again],
             .fragments = done.fragments + kinds[WorkKind::fragments_again],

@@ -233,7 +233,7 @@ struct FragmentRun {
   }
 
   /// Counts the stages of the run.
-  void count_stages(WorkCounts& work) const {
+  void count_stages(auto& work) const {
     const auto pixels = static_cast<std::uint32_t>(count);
     ++work[WorkKind::runs];
     if (has_texels()) {

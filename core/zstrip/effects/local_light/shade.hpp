@@ -21,7 +21,7 @@ bool shade(FrameState& frame, const Batch& batch, const MeshletRange& range, std
     lights = &lights_of(frame);
     shading = &shading_of(frame, static_cast<std::size_t>(batch.instance - frame.instances));
     if constexpr (effects.has(effect::statistics)) {
-      WorkCounts& work = frame.statistics.work;
+      auto& work = frame.statistics.work;
       work[WorkKind::lights_of_vertices] += range.vertex_count * lights->count;
       if (!is_black(finish.specular)) {
         work[WorkKind::shining_vertices] += range.vertex_count * (lights->count + instance.light_count);

@@ -106,7 +106,7 @@ struct Stage : NoStage {
  private:
   /// Adds what was drawn again between `before` and `after`.
   static void count_again(FrameState& frame, const Statistics& after, const Statistics& before) {
-    WorkCounts& work = frame.statistics.work;
+    auto& work = frame.statistics.work;
     work[WorkKind::vertices_again] += after.vertices - before.vertices;
     work[WorkKind::triangles_again] += after.covering - before.covering;
     work[WorkKind::fragments_again] += after.fragments - before.fragments;
