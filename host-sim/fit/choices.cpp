@@ -104,7 +104,7 @@ std::string texture_words(const BakeArguments& arguments) {
   return side + (arguments.textures == "palette8" ? ", 256 colours" : ", 16 colours");
 }
 
-/// Of the choices that keep the limits, those that no other one beats, the best looking first.
+/// Keeps the choices that no other one beats, and puts the best looking one first.
 void keep_front(std::vector<FitChoice>& choices) {
   std::vector<Respects> respects;
   for (const FitChoice& choice : choices) {

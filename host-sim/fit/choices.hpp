@@ -31,7 +31,7 @@ struct FitChoice {
   RgbImage picture;
 };
 
-/// What was tried.
+/// The result of a search.
 struct FitSearch {
   std::uint32_t tried = 0;
   RgbImage whole;                  ///< the picture of the model as it is

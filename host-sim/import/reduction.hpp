@@ -16,7 +16,7 @@ struct Reduction {
   bool removes_triangles() const { return triangles > 0 || triangle_share < 1; }
 };
 
-/// What was removed.
+/// The result of removing triangles.
 struct Reduced {
   std::uint64_t triangles_before = 0, triangles = 0;  ///< of the file; back faces that become meshes are not counted
   bool keeps_limit = true;

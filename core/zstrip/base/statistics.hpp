@@ -61,10 +61,12 @@ struct NoWorkCounts {
   constexpr Ignored operator[](WorkKind) const { return {}; }
   constexpr operator WorkCounts() const { return {}; }
 };
-#ifdef __wasm__
-inline constexpr bool kKeepsWork = true;  // the playground
+/// True on computers, of 32 bits too, and on pages: the command estimates by these counts, and each renderer keeps
+/// them.
+#if defined(__linux__) || defined(__wasm__)
+inline constexpr bool kKeepsWork = true;
 #else
-inline constexpr bool kKeepsWork = sizeof(void*) > 4;  // computers
+inline constexpr bool kKeepsWork = sizeof(void*) > 4;
 #endif
 
 struct Statistics {
