@@ -1,4 +1,4 @@
-// Includes all public headers except visibility.hpp, whose methods are studies.
+// Includes all public headers except area.hpp, which few programs need, and visibility.hpp, whose methods are studies.
 #pragma once
 
 #include "zstrip/animation.hpp"
