@@ -13,6 +13,10 @@
 #undef min
 #undef round
 
+// Sketches include these, too, and they do not compile with the macros.
+#include <algorithm>
+#include <iterator>
+
 #include "zstrip/zstrip.hpp"
 #include "zstrip_hal/bit_banged_i2c.hpp"
 #include "zstrip_hal/bit_banged_spi.hpp"
