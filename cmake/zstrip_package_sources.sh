@@ -28,7 +28,7 @@ rm zstrip/adapters/{pico_spi_dma,sdl2_texture}.hpp
 cp "$root/LICENSE" "$root/CHANGELOG.md" zstrip
 find zstrip -name '.*' -delete
 # Every pipeline, for programs on hosts; visibility methods, but the declarations that stages include.
-rm zstrip/src/zstrip/frame/{any_pipeline,{no_,}rows_of_*}.cpp zstrip/src/zstrip/visibility.hpp \
+rm zstrip/src/zstrip/frame/{any_p{icker,ipeline},{no_,}rows_of_*}.cpp zstrip/src/zstrip/visibility.hpp \
   zstrip/src/zstrip/visibility/{{no_,}rows_of_*.cpp,{bsp_order,make_rows,midpoint,stages,visible_sets}.hpp}
 
 zstrip_write_out zstrip "${2:-https://example.org/}"

@@ -37,7 +37,7 @@ step effects/stages.hpp 's/\bdithering::Stage>/negative::Stage, dithering::Stage
 # A folder's sources in one. Pipelines of programs that learn the effects at run time are not looked at.
 export copy compiler
 compile() {
-  find "$1" -maxdepth 1 -name '*.cpp' ! -name any_pipeline.cpp ! -name '*rows_of_*.cpp' | sed 's/.*/#include "&"/' |
+  find "$1" -maxdepth 1 -name '*.cpp' ! -name 'any_p*.cpp' ! -name '*rows_of_*.cpp' | sed 's/.*/#include "&"/' |
     "$compiler" -std=c++20 -O0 -Wall -Wextra -Werror -Wno-missing-field-initializers -I"$copy/core" \
       -o "$copy/$(tr / _ <<<"$1").o" -c -x c++ -
 }

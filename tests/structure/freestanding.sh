@@ -29,7 +29,7 @@ find "$root/core/zstrip" "$root/hal/zstrip_hal" "$root/firmware/player/zstrip_pl
 compile() {
   local folder=$1 included
   shift
-  included=$(printf '#include "%s"\n' "$folder"/*.cpp | grep -vE "/(no_rows_of_[a-z]*${few:+|any_pipeline|rows_of_[a-z_]*})\.cpp\"")
+  included=$(printf '#include "%s"\n' "$folder"/*.cpp | grep -vE "/(no_rows_of_[a-z]*${few:+|any_p[a-z]*|rows_of_[a-z_]*})\.cpp\"")
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
     -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" \
     -o "$objects/$(tr / _ <<<"${folder#"$root"/}").o" -c -x c++ - <<<"$included"
