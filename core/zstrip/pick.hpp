@@ -28,6 +28,12 @@ template <Effects effects>
 Status pick(const Renderer<effects>& renderer, std::uint16_t x, std::uint16_t y, Picked& picked) {
   return pick<effects>(renderer.frame(), x, y, picked);
 }
+/// Does the same for the frame of a FixedRenderer, or of another renderer that names its effects.
+template <class Fixed>
+requires(Fixed::kEffects.methods == 0) Status
+    pick(const Fixed& renderer, std::uint16_t x, std::uint16_t y, Picked& picked) {
+  return pick<Fixed::kEffects>(renderer.frame(), x, y, picked);
+}
 
 /// The function `pick` for one set of effects: &pick<effects>, or picker_for(effects).
 using PickFunction = Status (*)(const Frame& frame, std::uint16_t x, std::uint16_t y, Picked& picked);

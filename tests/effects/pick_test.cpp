@@ -13,6 +13,7 @@
 #include "id_scene.hpp"
 #include "lines_scene.hpp"
 #include "zstrip/area.hpp"
+#include "zstrip/fixed_renderer.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip {
@@ -384,6 +385,19 @@ TEST(EffectsPick, StripsAfterAPickAreThoseOfThePicture) {
                            pixels.data(), bytes_per_row(view.width, view.format));
     }
     EXPECT_EQ(pixels, whole.pixels);
+  }
+}
+
+constexpr View kFixedView{40, 32, PixelFormat::rgb565};
+
+TEST(EffectsPick, AFixedRendererPicksAsOthersDo) {
+  FixedRenderer<scenes::mask.scene, kFixedView, kStreamed> renderer;
+  ASSERT_TRUE(renderer.begin_frame(scenes::mask.camera));
+  const BegunFrame frame(scenes::mask.scene, scenes::mask.camera, kFixedView, renderer.kEffects, kStreamed);
+  for (std::uint16_t i = 0; i < 32; ++i) {
+    Picked picked;
+    ASSERT_TRUE(pick(renderer, i, i, picked));
+    EXPECT_EQ(picked, frame.picked(i, i));
   }
 }
 
