@@ -77,6 +77,7 @@ class Composer {
     if (const Result<Done> done = add_fog(file_, *composed_); !done) return done.failure();
     if (const Result<Done> done = add_products(file_, placed_, *composed_); !done) return done.failure();
     if (const Result<Done> done = add_overlay(file_, *composed_); !done) return done.failure();
+    leave_out_unread_normals(*composed_);
     if (const Result<Done> done = animate(); !done) return done.failure();
     if (const Result<Done> done = check(); !done) return done.failure();
     return std::unique_ptr<const ComposedScene>(std::move(composed_));

@@ -109,4 +109,27 @@ std::optional<std::uint16_t> ComposedMeshes::hull_of(const PlacedPart& placed, c
   return hull_index;
 }
 
+void leave_out_unread_normals(ComposedScene& scene) {
+  std::vector<bool> is_read(scene.meshes.size(), true);
+  for (const Instance& instance : scene.instances) {
+    is_read[instance.mesh] = scene.meshes[instance.mesh].outline > 0;
+  }
+  const auto reads_normals = [&scene](std::uint16_t material) {
+    const Material& of = scene.materials[material];
+    return of.lit || (of.finish < scene.finishes.size() && is_environment(scene.finishes[of.finish].filter));
+  };
+  for (const Instance& instance : scene.instances) {
+    if (reads_normals(instance.material)) is_read[instance.mesh] = true;
+  }
+  for (const LineSet& set : scene.lines) {
+    if (reads_normals(set.material)) is_read[set.mesh] = true;
+  }
+  for (const Outline& outline : scene.outlines) {
+    if (outline.hull < is_read.size()) is_read[outline.hull] = true;
+  }
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (!is_read[i]) scene.meshes[i].normals = {};
+  }
+}
+
 }  // namespace zstrip::sim

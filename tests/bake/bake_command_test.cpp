@@ -152,6 +152,19 @@ TEST_F(Bake, SetsOfLinesAreCountedAmongTheTablesToLend) {
             80 * scene.meshes.size() + 12 * scene.textures.size() + 64 * scene.lines.size());
 }
 
+TEST_F(Bake, MeshesThatNothingLightsHaveNoNormals) {
+  const auto normals = [this](const std::string& keys) {
+    file("scene.toml", "[[model]]\nname = 'pot'\nbuilt_in = 'teapot'\n[[material]]\nname = 'own'\n" + keys +
+                           "[[instance]]\nmodel = 'pot'\nmaterial = 'own'\n");
+    return report({"bake", "scene.toml", "-o", "scene.zsc"}).at("flash_bytes").at("normals").get<std::size_t>();
+  };
+  EXPECT_GT(normals("lit = true\n"), 0U);
+  EXPECT_EQ(normals("lit = false\n"), 0U);
+  EXPECT_GT(normals("lit = false\n[[light]]\ndirection = [0, -1, 0]\n[[instance]]\nmodel = 'pot'\n"), 0U)
+      << "a lit instance of the same mesh reads them";
+  EXPECT_GT(normals("lit = false\nenvironment = '" ZSTRIP_SCENE_FILES "/gallery/watch/studio.png'\n"), 0U);
+}
+
 TEST_F(Bake, SummaryInWords) {
   const Outcome outcome = zstrip({"bake", kHouseModel, "-o", "house.hpp", "--size", "128x64", "--ram", "14K"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

@@ -12,7 +12,8 @@ const kFrames = {
   train: 72,
   robot: 24,
   watch: 60,
-  chess: 60
+  chess: 60,
+  home: 60
 };
 const kQuality = 78;
 const kBytes = 1.5e6;  // the README shows all of them
