@@ -35,9 +35,6 @@ requires(Fixed::kEffects.methods == 0) Status
   return pick<Fixed::kEffects>(renderer.frame(), x, y, picked);
 }
 
-/// The function `pick` for one set of effects: &pick<effects>, or picker_for(effects).
-using PickFunction = Status (*)(const Frame& frame, std::uint16_t x, std::uint16_t y, Picked& picked);
-
 /// Returns the function that picks in frames of pipeline_for(effects), and so in those of AnyRenderer(effects). For
 /// depth formats other than z16, sub-ranges and perspective runs it returns a function that refuses with
 /// Error::depth_effects, for visibility methods with Error::visibility. For hosts (library zstrip::core_any).

@@ -26,6 +26,29 @@ typedef enum {
   ZSTRIP_XRGB8888
 } zstrip_format;
 
+/** The function that finds what a pixel shows. A C++ file makes it with zstrip_player/c_picker.hpp. */
+typedef struct zstrip_picker zstrip_picker;
+
+/** The kind of thing that a pixel shows, as zstrip::Shown. */
+typedef enum {
+  ZSTRIP_BACKGROUND,
+  ZSTRIP_INSTANCE,
+  ZSTRIP_OUTLINE,
+  ZSTRIP_QUADRIC,
+  ZSTRIP_LINE,
+  ZSTRIP_SPRITE,
+  ZSTRIP_LABEL
+} zstrip_shown;
+
+/** What a pixel shows. */
+typedef struct {
+  zstrip_shown shown;  ///< says which of the scene's tables `index` refers to
+  int textured;        ///< 1 for a triangle with a texture of its own, else 0
+  uint16_t index;      ///< of the instance, quadric, set of lines, sprite or label; of an outline that of its instance
+  uint32_t triangle;   ///< of the instance's mesh, or of the outline's hull; of a line its index in the set; else 0
+  uint16_t u, v;       ///< place in the texture if `textured`, in 1/65536 of its width and height
+} zstrip_picked;
+
 /** A rectangle of the picture. Its rows follow each other; each begins at a byte. */
 typedef struct {
   uint16_t left, top, width, height;  ///< pixels of the picture
@@ -41,7 +64,7 @@ typedef int (*zstrip_take)(void* context, const zstrip_strip* strip);
  * zstrip_player_error says so. */
 zstrip_player* zstrip_player_in(void* memory, size_t bytes, const zstrip_pipeline* pipeline);
 
-/* The next three functions return 0 after a fault: zstrip_player_error explains it. */
+/* The next four functions return 0 after a fault: zstrip_player_error explains it. */
 
 /** Opens a .zsc file in place; its address must be a multiple of 4. Any bytes are safe; null is an error. */
 int zstrip_player_open(zstrip_player* player, const void* scene, size_t bytes);
@@ -49,6 +72,10 @@ int zstrip_player_open(zstrip_player* player, const void* scene, size_t bytes);
 int zstrip_player_fit(zstrip_player* player, uint16_t width, uint16_t height, zstrip_format format, uint16_t row_step);
 /** Draws a frame: passes each strip to `take`, with `context`. A null `take` is an error. */
 int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context);
+/** Finds what a pixel of the picture shows, in the frame that was begun last, by zstrip_player_fit or _draw. A null
+ * `picker` is an error; a null `picked` gets nothing. */
+int zstrip_player_pick(zstrip_player* player, const zstrip_picker* picker, uint16_t x, uint16_t y,
+                       zstrip_picked* picked);
 
 /** Sets the time, in milliseconds of any clock. After the first call the animation runs; a scene without an animation
  * rotates. */
@@ -64,8 +91,8 @@ void zstrip_player_zoom(zstrip_player* player, uint16_t percent);
 /** Shows the first 24 bytes of `text`, none if it is null, and frames a second if `with_rate` is not 0; needs
  * effect::overlay. */
 void zstrip_player_show_text(zstrip_player* player, const char* text, int with_rate);
-/** Returns a message about the fault of the last zstrip_player_open, fit or draw, valid until this function is called
- * again; "" if there was none. */
+/** Returns a message about the fault of the last zstrip_player_open, fit, draw or pick, valid until this function is
+ * called again; "" if there was none. */
 const char* zstrip_player_error(zstrip_player* player);
 
 #ifdef __cplusplus

@@ -1,6 +1,7 @@
 // The interface for C is the player: a program in C, and the pictures that it makes.
 #include "baked.hpp"
 #include "c_program.h"
+#include "zstrip_player/c_picker.hpp"
 #include "zstrip_player/c_pipeline.hpp"
 
 namespace zstrip::test {
@@ -52,6 +53,40 @@ TEST(CPlayer, SaysWhatIsWrong) {
   EXPECT_STREQ(show(&shown, blob.data(), 20, memory.span().data(), memory.span().size(), &kAnyPipeline, 0),
                "these bytes are no whole scene: byte 20 is wrong; bake it again");
   EXPECT_STREQ(show(&shown, blob.data(), 20, nullptr, 0, &kAnyPipeline, 0), "no room for the player");
+}
+
+TEST(CPlayer, PicksWhatAPlayerPicks) {
+  constexpr zstrip_picker kAnyPicker{pick_with_any};
+  constexpr zstrip_picker kTeapotPicker{
+      pick_with<effect::lighting | effect::gouraud | effect::shade_gouraud | effect::overlay>};
+  constexpr zstrip_picker kOther{pick_with<effect::lighting>}, kNothing{nullptr};
+  Blob blob = blob_of("teapot_meshlets");
+  Memory memory(20'000);
+  const std::span<std::byte> room = memory.span();
+  Player player(room, drawn_with_any);
+  Picked wanted;
+  ASSERT_TRUE(player.open(blob.data(), blob.size()) && player.fit(120, 90, PixelFormat::rgb565));
+  ASSERT_TRUE(player.pick(pick_with_any, 60, 45, wanted));
+  EXPECT_EQ(wanted.shown, Shown::instance);
+  const auto words = [&](const zstrip_pipeline& pipeline, const zstrip_picker* picker, zstrip_picked* picked) {
+    return std::string(pick_middle(picked, blob.data(), blob.size(), room.data(), room.size(), &pipeline, picker));
+  };
+  for (const auto& [pipeline, picker] :
+       {std::pair{&kAnyPipeline, &kAnyPicker}, std::pair{&kTeapotPipeline, &kTeapotPicker}}) {
+    zstrip_picked picked{};
+    EXPECT_EQ(words(*pipeline, picker, &picked), "");
+    EXPECT_EQ(picked.shown, ZSTRIP_INSTANCE);
+    EXPECT_EQ(picked.index, wanted.index);
+    EXPECT_EQ(picked.triangle, wanted.triangle);
+    EXPECT_EQ(picked.textured, 0);
+  }
+  EXPECT_EQ(words(kAnyPipeline, &kAnyPicker, nullptr), "");
+  zstrip_picked picked{};
+  EXPECT_EQ(words(kAnyPipeline, nullptr, &picked), "nothing finds the pixel: the function given to pick is null");
+  EXPECT_EQ(words(kAnyPipeline, &kNothing, &picked), "nothing finds the pixel: the function given to pick is null");
+  EXPECT_EQ(words(kTeapotPipeline, &kOther, &picked), "the pipeline has other effects than the function given to pick");
+  EXPECT_EQ(picked.shown, ZSTRIP_BACKGROUND);
+  EXPECT_EQ(zstrip_player_pick(nullptr, &kAnyPicker, 0, 0, &picked), 0);
 }
 
 /// They were faults of the processor.

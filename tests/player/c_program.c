@@ -31,3 +31,13 @@ const char* show(picture* to, const void* scene, size_t scene_bytes, void* memor
   zstrip_player_draw(player, take, to);
   return zstrip_player_error(player);
 }
+
+const char* pick_middle(zstrip_picked* picked, const void* scene, size_t scene_bytes, void* memory, size_t memory_bytes,
+                        const zstrip_pipeline* pipeline, const zstrip_picker* picker) {
+  zstrip_player* player = zstrip_player_in(memory, memory_bytes, pipeline);
+  if (player == NULL) return "no room for the player";
+  if (!zstrip_player_open(player, scene, scene_bytes)) return zstrip_player_error(player);
+  if (!zstrip_player_fit(player, 120, 90, ZSTRIP_RGB565, 1)) return zstrip_player_error(player);
+  zstrip_player_pick(player, picker, 60, 45, picked);
+  return zstrip_player_error(player);
+}

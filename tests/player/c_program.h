@@ -18,6 +18,10 @@ typedef struct {
 const char* show(picture* to, const void* scene, size_t scene_bytes, void* memory, size_t memory_bytes,
                  const zstrip_pipeline* pipeline, uint32_t milliseconds);
 
+/* Opens and fits the scene, and finds what the middle of the picture shows; the words of the error, or "". */
+const char* pick_middle(zstrip_picked* picked, const void* scene, size_t scene_bytes, void* memory, size_t memory_bytes,
+                        const zstrip_pipeline* pipeline, const zstrip_picker* picker);
+
 #ifdef __cplusplus
 }
 #endif

@@ -303,6 +303,51 @@ TEST_F(PlayerOfTeapot, ShowsTextAndFramesPerSecond) {
   EXPECT_EQ(drawn(), drawn_directly(blob, screen));
 }
 
+TEST_F(PlayerOfTeapot, PicksInTheFrameThatItDrewLast) {
+  const auto picked = [this](std::uint16_t x, std::uint16_t y) {
+    Picked found;
+    EXPECT_TRUE(player.pick(pick_with_any, x, y, found)) << player.error();
+    return found;
+  };
+  const Picked middle = picked(60, 45);
+  EXPECT_EQ(middle.shown, Shown::instance);
+  EXPECT_EQ(picked(0, 0).shown, Shown::background);
+  player.orbit(16384, 0);
+  EXPECT_EQ(picked(60, 45), middle);
+  drawn();
+  const Picked aside = picked(60, 45);
+  EXPECT_EQ(aside.shown, Shown::instance);
+  EXPECT_NE(aside.triangle, middle.triangle);
+  player.zoom(1);
+  drawn();
+  EXPECT_EQ(picked(30, 20).shown, Shown::background);
+  player.show_text("MMMM");
+  drawn();
+  EXPECT_EQ(picked(3, 6), (Picked{.shown = Shown::label, .index = 0}));
+  Picked outside;
+  EXPECT_FALSE(player.pick(pick_with_any, 120, 45, outside));
+  EXPECT_EQ(std::string(player.error()).find("the pixel cannot be picked: "), 0U);
+  EXPECT_EQ(picked(60, 89).shown, Shown::background);
+  EXPECT_EQ(std::string(player.error()), "");
+}
+
+TEST(Player, PicksNothingBeforeItIsFitted) {
+  Memory memory(20'000);
+  Player player(memory.span(), drawn_with_any);
+  Picked picked{.index = 3};
+  EXPECT_FALSE(player.pick(pick_with_any, 0, 0, picked));
+  EXPECT_EQ(std::string(player.error()), "no scene is open: open() comes first");
+  EXPECT_EQ(picked, Picked{});
+  Blob blob = blob_of("csg");
+  Memory enough(kMuch);
+  Player products(enough.span(), drawn_with_any);
+  ASSERT_TRUE(products.open(blob.data(), blob.size()));
+  EXPECT_FALSE(products.pick(pick_with_any, 0, 0, picked));
+  ASSERT_TRUE(products.fit(80, 60, PixelFormat::rgb565));
+  EXPECT_FALSE(products.pick(pick_with_any, 0, 0, picked));
+  EXPECT_EQ(std::string(products.error()).find("the pixel cannot be picked: "), 0U);
+}
+
 TEST(Player, TextIsBesideTheOverlayOfTheScene) {
   Blob blob = blob_of("overlay");
   Screen screen(160, 120, hal::PixelFormat::rgb565);

@@ -3,7 +3,11 @@
 
 #include <cstdint>
 
+#include "zstrip/status.hpp"
+
 namespace zstrip {
+
+class Frame;
 
 /// The kind of thing that a pixel shows.
 enum class Shown : std::uint8_t {
@@ -28,5 +32,8 @@ struct Picked {
                                ///< width and height from its upper left corner; repetitions are removed
   friend constexpr bool operator==(const Picked&, const Picked&) = default;
 };
+
+/// The function `pick` for one set of effects: &pick<effects>, or picker_for(effects).
+using PickFunction = Status (*)(const Frame& frame, std::uint16_t x, std::uint16_t y, Picked& picked);
 
 }  // namespace zstrip

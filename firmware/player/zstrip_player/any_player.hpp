@@ -2,6 +2,7 @@
 // are linked (library zstrip::core_any).
 #pragma once
 
+#include "zstrip/pick.hpp"
 #include "zstrip_player/player.hpp"
 
 namespace zstrip {
@@ -11,5 +12,8 @@ inline DrawnWith drawn_with_any(Effects called_for) {
   const Effects effects = called_for | effect::bins | effect::overlay;
   return {effects, pipeline_for(effects)};
 }
+
+/// Pass this function to Player::pick of such a player.
+inline PickFunction pick_with_any(Effects drawn) { return picker_for(drawn); }
 
 }  // namespace zstrip

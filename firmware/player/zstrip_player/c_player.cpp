@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <new>
 
+#include "zstrip_player/c_picker.hpp"
 #include "zstrip_player/c_pipeline.hpp"
 
 struct zstrip_player : zstrip::Player {
@@ -10,6 +11,7 @@ struct zstrip_player : zstrip::Player {
 };
 
 static_assert(static_cast<int>(zstrip::kLastPixelFormat) == ZSTRIP_XRGB8888);
+static_assert(static_cast<int>(zstrip::Shown::label) == ZSTRIP_LABEL);
 
 zstrip_player* zstrip_player_in(void* memory, std::size_t bytes, const zstrip_pipeline* pipeline) {
   if (memory == nullptr || pipeline == nullptr || pipeline->choose == nullptr) return nullptr;
@@ -41,6 +43,17 @@ int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context) {
     return take(context, &strip) != 0;
   });
   return drawn ? 1 : 0;
+}
+int zstrip_player_pick(zstrip_player* player, const zstrip_picker* picker, std::uint16_t x, std::uint16_t y,
+                       zstrip_picked* picked) {
+  if (player == nullptr) return 0;
+  zstrip::Picked found;
+  const bool right = player->pick(picker != nullptr ? picker->choose : nullptr, x, y, found);
+  if (picked != nullptr) {
+    *picked = {
+        static_cast<zstrip_shown>(found.shown), found.textured ? 1 : 0, found.index, found.triangle, found.u, found.v};
+  }
+  return right ? 1 : 0;
 }
 
 void zstrip_player_play(zstrip_player* player, std::uint32_t milliseconds) {

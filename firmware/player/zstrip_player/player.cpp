@@ -6,6 +6,7 @@
 #include <new>
 
 #include "zstrip/base/math.hpp"
+#include "zstrip/frame.hpp"
 #include "zstrip_player/words.hpp"
 
 namespace zstrip {
@@ -309,6 +310,18 @@ bool Player::begin() {
   if (!stage()) return false;
   const Status begun = drawn_with_.pipeline.begin_frame(state_, staged_.scene, staged_.camera, view_, plan_, arena_);
   return begun || fail(Fault::frame, begun);
+}
+
+bool Player::pick(ChoosePick choose, std::uint16_t x, std::uint16_t y, Picked& picked) {
+  picked = {};
+  fault_ = Fault::none;
+  if (choose == nullptr) return fail(Fault::null_pick);
+  if (!is_open_) return fail(Fault::not_open);
+  if (!is_fitted_) return fail(Fault::not_fitted);
+  const PickFunction function = choose(drawn_with_.effects);
+  if (function == nullptr) return fail(Fault::pick_effects);
+  const Status found = function(Frame(state_), x, y, picked);
+  return found || fail(Fault::pick, found);
 }
 
 bool Player::begin_on(std::uint16_t width, std::uint16_t height, PixelFormat format) {

@@ -7,6 +7,7 @@
 
 #include "zstrip/blob.hpp"
 #include "zstrip/frame/entry_points.hpp"
+#include "zstrip/frame/picked.hpp"
 #include "zstrip/frame/pipeline.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/plan.hpp"
@@ -30,6 +31,10 @@ template <Effects effects>
 DrawnWith drawn_with(Effects) {
   return {effects, {&detail::begin_frame<effects>, &detail::draw_strip<effects>, nullptr}};
 }
+
+/// A function that returns the function `pick` for frames of a pipeline with the effects `drawn`, or null if it has
+/// none: pick_with of pick_with.hpp, or pick_with_any.
+using ChoosePick = PickFunction (*)(Effects drawn);
 
 /// Properties of a display that its size and format do not show.
 struct FitOptions {
@@ -115,6 +120,11 @@ class Player {
     return end({}, {});
   }
 
+  /// Finds what pixel (x, y) of the frame that was begun last shows, by fit or a draw (zstrip/pick.hpp). `choose`:
+  /// pick_with<effects> for drawn_with<effects>, pick_with_any for drawn_with_any. Labels after those of the scene are
+  /// the player's text. Programs that do not call it do not link it.
+  bool pick(ChoosePick choose, std::uint16_t x, std::uint16_t y, Picked& picked);
+
   /// Returns a message about the fault of the last call that returned a bool, valid until error() is called again; ""
   /// if there was none. A program that calls this function links all messages, 7 KB of flash.
   const char* error();
@@ -144,6 +154,9 @@ class Player {
     other_display,
     display,
     not_taken,
+    null_pick,
+    pick_effects,
+    pick,
   };
   /// Stores the fault for error(), and returns false.
   bool fail(Fault fault, const Status& status = {});

@@ -85,6 +85,9 @@ const char* Player::error() {
     case Fault::other_display: words << "the display has not the size and format that were fitted"; break;
     case Fault::display: words << "the display failed: " << hal::message(display_error_); break;
     case Fault::not_taken: words << "a strip was not taken"; break;
+    case Fault::null_pick: words << "nothing finds the pixel: the function given to pick is null"; break;
+    case Fault::pick_effects: words << "the pipeline has other effects than the function given to pick"; break;
+    case Fault::pick: words << "the pixel cannot be picked: " << message(status_.error); break;
   }
   return words_;
 }

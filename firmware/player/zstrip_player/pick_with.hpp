@@ -1,0 +1,16 @@
+// For players that say what a pixel shows: the function to pass to Player::pick.
+#pragma once
+
+#include "zstrip/pick.hpp"
+#include "zstrip_player/player.hpp"
+
+namespace zstrip {
+
+/// Pass pick_with<effects> to the pick of a player with drawn_with<effects>. Returns null for other effects.
+template <Effects effects>
+PickFunction pick_with(Effects drawn) {
+  if (drawn != effects) return nullptr;
+  return &pick<effects>;
+}
+
+}  // namespace zstrip
