@@ -56,6 +56,31 @@ Result<RgbImage> decode_png(std::span<const std::uint8_t> file) {
   return RgbImage{header.width, header.height, std::move(pixels)};
 }
 
+/// True if a segment of Adobe's stands before the pixels; its inks are stored inverted.
+bool has_mark_of_adobe(std::span<const std::uint8_t> file) {
+  constexpr std::uint8_t kAdobe = 0xEE, kScan = 0xDA;
+  constexpr std::array<std::uint8_t, 5> kName{'A', 'd', 'o', 'b', 'e'};
+  std::size_t at = 2;
+  while (at + 4 <= file.size() && file[at] == 0xFF && file[at + 1] != kScan) {
+    if (file[at + 1] == kAdobe && starts_with(file.subspan(at + 4), kName)) return true;
+    at += 2 + (std::size_t{file[at + 2]} << 8 | file[at + 3]);
+  }
+  return false;
+}
+
+/// Converts cyan, magenta, yellow and black, without a profile. 255 is a whole ink; `inverted`: none.
+std::vector<std::uint8_t> rgb_of_inks(std::span<const std::uint8_t> cmyk, bool inverted) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(cmyk.size() / 4 * 3);
+  const auto paper = [inverted](unsigned ink) { return inverted ? ink : 255 - ink; };
+  for (std::size_t i = 0; i + 3 < cmyk.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      rgb.push_back(static_cast<std::uint8_t>((paper(cmyk[i + c]) * paper(cmyk[i + 3]) + 127) / 255));
+    }
+  }
+  return rgb;
+}
+
 Result<RgbImage> decode_jpeg(std::span<const std::uint8_t> file) {
   const std::unique_ptr<void, decltype(&tjDestroy)> jpeg(tjInitDecompress(), &tjDestroy);
   if (!jpeg) return damaged_picture("JPEG", "no memory");
@@ -69,10 +94,13 @@ Result<RgbImage> decode_jpeg(std::span<const std::uint8_t> file) {
   if (width < 1 || height < 1) return damaged_picture("JPEG", "it has no pixels");
   RgbImage image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
   if (const Result<Done> done = check_image_size(image.width, image.height); !done) return done.failure();
-  image.rgb.resize(3 * std::size_t{image.width} * image.height);
-  if (tjDecompress2(jpeg.get(), file.data(), file.size(), image.rgb.data(), width, 0, height, TJPF_RGB, 0) != 0) {
+  const bool of_inks = colour_space == TJCS_CMYK || colour_space == TJCS_YCCK;
+  const TJPF format = of_inks ? TJPF_CMYK : TJPF_RGB;
+  std::vector<std::uint8_t> pixels((of_inks ? 4 : 3) * std::size_t{image.width} * image.height);
+  if (tjDecompress2(jpeg.get(), file.data(), file.size(), pixels.data(), width, 0, height, format, 0) != 0) {
     return damaged_picture("JPEG", tjGetErrorStr2(jpeg.get()));
   }
+  image.rgb = of_inks ? rgb_of_inks(pixels, has_mark_of_adobe(file)) : std::move(pixels);
   return image;
 }
 

@@ -19,14 +19,15 @@ double angle_between(const std::array<double, 3>& a, const std::array<double, 3>
 
 }  // namespace
 
-void note_vertices(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, const Units& units,
-                   const Vec3& centre, const Vec3& half_extent) {
+void note_vertices(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, const Grid& grid) {
+  const Vec3 &centre = grid.centre, &half_extent = grid.half_extent;
   for (std::size_t i = 0; i < source.vertices.size(); ++i) {
     const SourceVertex& from = source.vertices[i];
     const Position& p = fixed.positions[i];
     const auto off = [&](std::size_t axis, std::int16_t steps, Fixed middle, Fixed half) {
       const double scene = from_fixed(middle) + from_fixed(half) * steps / 32768;  // 1.15 of the half extent
-      return scene / units.scale + units.origin[axis] - double{from.position[axis]};
+      const double origin = grid.units.origin[axis] - grid.vertices_from[axis];
+      return scene / grid.units.scale + origin - double{from.position[axis]};
     };
     worst.position =
         std::max(worst.position, std::hypot(off(0, p.x, centre.x, half_extent.x), off(1, p.y, centre.y, half_extent.y),

@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <span>
 
+#include "import/grid.hpp"
 #include "import/model.hpp"
 #include "import/source_model.hpp"
 
 namespace zstrip::sim {
 
-/// Compares positions and normals of `fixed` with those of `source`, in the same order.
-void note_vertices(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, const Units& units,
-                   const Vec3& centre, const Vec3& half_extent);
+/// Compares positions and normals of `fixed`, which are steps of `grid`, with those of `source`, in the same order.
+void note_vertices(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, const Grid& grid);
 
 /// Compares texture coordinates with so many fraction bits, in texels of `texture`.
 void note_texcoords(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, int bits,

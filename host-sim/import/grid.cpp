@@ -14,7 +14,8 @@ Position Grid::position(const std::array<float, 3>& from) const {
   const std::array<Fixed, 3> centres{centre.x, centre.y, centre.z};
   const auto coordinate = [&](std::size_t axis, Fixed half) {
     if (half == 0) return std::int16_t{0};
-    const double scene = (double{from[axis]} - units.origin[axis]) * units.scale - from_fixed(centres[axis]);
+    const double scene =
+        (double{from[axis]} + (vertices_from[axis] - units.origin[axis])) * units.scale - from_fixed(centres[axis]);
     const double steps = std::round(scene * kFixedOne / half * 32768);  // 1.15 of the half extent
     return static_cast<std::int16_t>(std::clamp(steps, -32767.0, 32767.0));
   };
@@ -38,9 +39,10 @@ Grid fit_grid(const SourceModel& source) {
     for (const std::uint32_t index : lines.indices) include(lines.vertices[index]);
   }
   Grid grid;
+  grid.vertices_from = source.origin;
   double largest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    grid.units.origin[axis] = (low[axis] + high[axis]) / 2;
+    grid.units.origin[axis] = source.origin[axis] + (low[axis] + high[axis]) / 2;
     largest = std::max(largest, (high[axis] - low[axis]) / 2);
   }
   grid.units.scale = largest > 0 ? 1 / largest : 1;  // a single point has no size
@@ -58,7 +60,8 @@ Grid grid_of_own(const SourceMesh& mesh, const Grid& whole) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const SourceVertex& vertex : mesh.vertices) {
-      const double place = (double{vertex.position[axis]} - whole.units.origin[axis]) * whole.units.scale;
+      const double place =
+          (double{vertex.position[axis]} + (whole.vertices_from[axis] - whole.units.origin[axis])) * whole.units.scale;
       low = std::min(low, place);
       high = std::max(high, place);
     }
@@ -67,13 +70,13 @@ Grid grid_of_own(const SourceMesh& mesh, const Grid& whole) {
     const double half = std::ceil((high - low) / 2 * 32768 / 32767 * kFixedOne);
     if (half > 0) halves[axis] = static_cast<Fixed>(half) + 1;  // 16.16
   }
-  return {whole.units, {centres[0], centres[1], centres[2]}, {halves[0], halves[1], halves[2]}};
+  return {whole.units, whole.vertices_from, {centres[0], centres[1], centres[2]}, {halves[0], halves[1], halves[2]}};
 }
 
 Grid grid_of_skin(const SourceModel& source, const SourceMesh& mesh, const Grid& whole) {
   constexpr double kMargin = 1.02;
   const SourceBox box = box_of_poses(source, mesh);
-  Grid grid{whole.units, {}, {}};
+  Grid grid{whole.units, whole.vertices_from, {}, {}};
   double largest = 0;
   std::array<double, 3> centre{};
   for (std::size_t axis = 0; axis < 3; ++axis) {

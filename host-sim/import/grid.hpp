@@ -11,10 +11,11 @@ namespace zstrip::sim {
 /// A box, and the conversion to its steps.
 struct Grid {
   Units units;
-  Vec3 centre{};       // 16.16
-  Vec3 half_extent{};  // 16.16
+  Vector vertices_from{};  ///< SourceModel::origin
+  Vec3 centre{};           // 16.16
+  Vec3 half_extent{};      // 16.16
 
-  /// `from`: in the file's units.
+  /// `from`: as SourceVertex::position.
   Position position(const std::array<float, 3>& from) const;
 };
 

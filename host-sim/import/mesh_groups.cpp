@@ -48,7 +48,37 @@ SourceMesh& MeshGroups::mesh_for(const SourcePrimitive& primitive) {
   return model_.meshes[at->second];
 }
 
-Result<Done> MeshGroups::add(const SourcePrimitive& primitive) {
+/// The middle of the first vertices, if they are so far away that floats would be too coarse.
+void MeshGroups::choose_origin(const std::vector<Vector>& positions) {
+  constexpr double kFar = 1024;  // times their extent; 13 of 23 bits are left
+  if (has_origin_) return;
+  Vector low{}, high{};
+  for (const Vector& at : positions) {
+    if (!std::isfinite(at[0] + at[1] + at[2])) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = has_origin_ ? std::min(low[axis], at[axis]) : at[axis];
+      high[axis] = has_origin_ ? std::max(high[axis], at[axis]) : at[axis];
+    }
+    has_origin_ = true;
+  }
+  double extent = 0, distance = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    extent = std::max(extent, high[axis] - low[axis]);
+    distance = std::max(distance, std::abs(high[axis] + low[axis]) / 2);
+  }
+  if (!(distance > kFar * extent)) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) model_.origin[axis] = (high[axis] + low[axis]) / 2;
+}
+
+Result<Done> MeshGroups::add(SourcePrimitive primitive) {
+  choose_origin(primitive.positions);
+  for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      // Adding zero changes -0 to 0, so that equal vertices are equal bytes.
+      primitive.vertices[i].position[axis] =
+          static_cast<float>(primitive.positions[i][axis] - model_.origin[axis]) + 0.0F;
+    }
+  }
   triangles_seen_ += primitive.indices.size() / 3;
   segments_seen_ += primitive.segments.size() / 2;
   vertices_ += primitive.vertices.size();

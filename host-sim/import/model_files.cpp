@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "image/inputs.hpp"
-#include "import/assimp/stl_text.hpp"
 #include "import/ending.hpp"
 #include "import/find_file.hpp"
 
@@ -102,15 +101,14 @@ std::string ModelFiles::place_of(const char* file) const {
 std::string ModelFiles::plain(const std::string& file, std::string text) {
   const std::string ending = ending_of(model_);
   if (ending == ".raw") return without_groups(text);
-  if (ending == ".stl") return plain_stl(std::move(text));
   if (ending != ".obj") return text;
-  if (file != model_) return plain_mtl(text, of_blender_, read_.warnings, read_.materials.defined);
+  if (file != model_) return plain_mtl(text, of_blender_, read_.warnings, read_.materials);
   of_blender_ = is_of_blender(text);
   const auto is_file = [this](std::string_view name) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(find_file(model_.parent_path(), std::string(name)), ignored);
   };
-  return plain_obj(text, is_file, read_.materials.used);
+  return plain_obj(text, is_file, read_.materials.used, read_.origin);
 }
 
 Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
@@ -129,7 +127,7 @@ Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
   begin.resize(stream->Read(begin.data(), 1, begin.size()));
   stream->Seek(0, aiOrigin_SET);
   const std::string ending = ending_of(model_);
-  const bool has_plain_form = ending == ".raw" || ending == ".obj" || ending == ".stl";
+  const bool has_plain_form = ending == ".raw" || ending == ".obj";
   if (!has_plain_form && !is_utf16(begin) && !has_mark_of_utf8(begin)) return stream.release();
   const std::string text = plain(file, as_utf8(rest_of(*stream)));
   auto bytes = std::make_unique<std::uint8_t[]>(text.size());

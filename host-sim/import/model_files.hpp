@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "import/assimp/obj_text.hpp"
+#include "motion/affine.hpp"
 
 namespace zstrip::sim {
 
@@ -22,10 +23,11 @@ struct FilesRead {
   std::vector<std::string> not_opened;
   std::vector<std::string> warnings;
   ObjMaterials materials;
+  Vector origin{};  ///< that plain_obj subtracted from the positions
 };
 
-/// Text is converted by as_utf8, because Assimp's readers take a byte order mark for the first word of a line. OBJ, its
-/// materials and STL are converted by plain_obj, plain_mtl and plain_stl. Names of groups in RAW are removed: with
+/// Text is converted by as_utf8, because Assimp's readers take a byte order mark for the first word of a line. OBJ and
+/// its materials are converted by plain_obj and plain_mtl. Names of groups in RAW are removed: with
 /// several groups the reader keeps only one, and dangling pointers.
 class ModelFiles : public Assimp::DefaultIOSystem {
  public:

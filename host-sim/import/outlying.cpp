@@ -2,29 +2,44 @@
 #include "import/outlying.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace zstrip::sim {
 
 double outlying_of(const SourceModel& model) {
-  double whole = 0, middle = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::vector<double> places;  // of all corners
-    const auto add = [&](const auto& part) {
-      for (const std::uint32_t index : part.indices) places.push_back(double{part.vertices[index].position[axis]});
-    };
-    std::ranges::for_each(model.meshes, add);
-    std::ranges::for_each(model.lines, add);
-    if (places.empty()) return 1;
-    const auto at = [&places](std::size_t quarter) {
-      const auto nth = places.begin() + static_cast<std::ptrdiff_t>((places.size() - 1) * quarter / 4);
-      std::nth_element(places.begin(), nth, places.end());
-      return *nth;
-    };
-    whole = std::max(whole, at(4) - at(0));
-    middle = std::max(middle, at(3) - at(1));
+  constexpr std::size_t kAxes = 3;
+  std::array<std::vector<double>, kAxes> places;  // of all corners
+  const auto add = [&](const auto& part) {
+    for (const std::uint32_t index : part.indices) {
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        places[axis].push_back(double{part.vertices[index].position[axis]});
+      }
+    }
+  };
+  std::ranges::for_each(model.meshes, add);
+  std::ranges::for_each(model.lines, add);
+  const std::size_t count = places[0].size();
+  if (count == 0) return 1;
+  const auto nth = [count](std::vector<double> values, std::size_t quarter) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>((count - 1) * quarter / 4);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+  };
+  double whole = 0;
+  std::vector<double> away(count);  // distance from the middle corner, along the axis where it is largest
+  for (const std::vector<double>& along : places) {
+    const auto [low, high] = std::ranges::minmax_element(along);
+    whole = std::max(whole, *high - *low);
+    const double middle = nth(along, 2);
+    for (std::size_t i = 0; i < count; ++i) away[i] = std::max(away[i], std::abs(along[i] - middle));
   }
-  return middle > 0 ? whole / middle : 1;
+  // A corner on each axis is at the middle of the others: one axis alone does not tell where most of a model lies.
+  const double most = 2 * nth(std::move(away), 3);
+  return most > 0 ? whole / most : 1;
 }
 
 }  // namespace zstrip::sim

@@ -159,7 +159,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
                                                          : common;
     tell_step("quantising the vertices");
     const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
-    note_vertices(model.accuracy, mesh, whole, grid.units, grid.centre, grid.half_extent);
+    note_vertices(model.accuracy, mesh, whole, grid);
     if (is_textured(mesh, from)) {
       note_texcoords(model.accuracy, mesh, whole, traits[i].texcoord_bits, source.textures[from.texture]);
     }

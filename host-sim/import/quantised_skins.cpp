@@ -39,7 +39,7 @@ void for_each_corner(const SourceBox& box, const Visit& visit) {
 std::vector<SourceBox> boxes_of_joints(const SourceModel& source, const SourceMesh& mesh) {
   std::vector<SourceBox> boxes(source.joints.size(), {kLowest, kHighest});
   for (const SourceVertex& vertex : mesh.vertices) {
-    const Vector place{double{vertex.position[0]}, double{vertex.position[1]}, double{vertex.position[2]}};
+    const Vector place = place_of(source, vertex);
     for (std::size_t k = 0; k < 4; ++k) {
       if (k > 0 && vertex.weights[k] == 0) break;
       const std::size_t joint = vertex.joints[k];
@@ -109,9 +109,7 @@ bool are_far_apart(const std::vector<Affine>& from, const std::vector<Affine>& t
 
 SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
   SourceBox box{kLowest, kHighest};
-  for (const SourceVertex& vertex : mesh.vertices) {
-    include(box, {double{vertex.position[0]}, double{vertex.position[1]}, double{vertex.position[2]}});
-  }
+  for (const SourceVertex& vertex : mesh.vertices) include(box, place_of(source, vertex));
   const std::vector<SourceBox> boxes = boxes_of_joints(source, mesh);
   const auto include_pose = [&](const NodeAnimation* animation, double seconds) {
     std::vector<Affine> places = places_of(source, animation, seconds);

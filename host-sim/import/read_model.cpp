@@ -1,4 +1,4 @@
-// Reads a model file: glTF 2.0 with its own reader, all other formats with Assimp.
+// Reads a model file: glTF 2.0, PLY, STL and 3MF with readers of their own, all other formats with Assimp.
 #include "import/read_model.hpp"
 
 #include <fmt/format.h>
@@ -14,14 +14,21 @@
 #include <utility>
 #include <vector>
 
+#include "image/decode.hpp"
+#include "import/3mf/read_3mf.hpp"
 #include "import/assimp/read_assimp.hpp"
 #include "import/crash_guard.hpp"
 #include "import/ending.hpp"
 #include "import/find_file.hpp"
+#include "import/foreign_file.hpp"
 #include "import/gltf/data_uri.hpp"
 #include "import/gltf/read_gltf.hpp"
+#include "import/model_files.hpp"
+#include "import/ply/read_ply.hpp"
 #include "import/read_file.hpp"
+#include "import/stl/read_stl.hpp"
 #include "import/turn_up.hpp"
+#include "import/unreadable.hpp"
 #include "text/text.hpp"
 
 namespace zstrip::sim {
@@ -54,10 +61,29 @@ ReadUri reader_beside(const std::filesystem::path& folder) {
   };
 }
 
+/// Returns a function that finds pictures next to the file.
+ReadPicture picture_reader_beside(const std::filesystem::path& folder) {
+  return [folder](const std::string& name) -> Result<RgbImage> {
+    const Result<std::vector<std::uint8_t>> bytes = read_file(find_file(folder, name));
+    if (!bytes) return bytes.failure();
+    return decode_image(*bytes);
+  };
+}
+
 /// Reads any format. Files of glTF 1.0, which is another format, are read by Assimp.
 Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                              Highlights highlights, CrashGuard& guard) {
   const auto parsed = [&guard] { guard.lift_limits(); };
+  const std::string ending = ending_of(path);
+  if (ending == ".ply" || ending == ".3mf" || ending == ".stl") {
+    const Result<std::vector<std::uint8_t>> bytes = read_file(path);
+    if (!bytes) return bytes.failure();
+    const std::string_view file(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    const Affine turn = turn_up(up.value_or(ending == ".ply" ? UpAxis::plus_y : UpAxis::plus_z));
+    if (ending == ".3mf") return read_3mf(file, turn, texcoords);
+    if (ending == ".stl") return read_stl(as_utf8(file), turn);
+    return read_ply(as_utf8(file), picture_reader_beside(path.parent_path()), turn, texcoords);
+  }
   if (!is_gltf(path)) return read_assimp(path, up, texcoords, parsed);
   const Result<std::vector<std::uint8_t>> bytes = read_file(path);
   if (!bytes) return bytes.failure();
@@ -83,6 +109,11 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
         "is what zstrip bake writes for firmware, which is not read; name the scene of which it was made, or "
         "bake a .zsc");
   }
+  std::string begin(kBytesOfKind, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  if (const std::optional<std::string> other = foreign_kind(begin, ending_of(path))) return named(*other);
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(path, error);
   if (error) return named("cannot be read: " + error.message());

@@ -15,7 +15,7 @@ namespace zstrip::sim {
 
 /// Compared and hashed as bytes: it must have no padding and no negative zeros.
 struct SourceVertex {
-  std::array<float, 3> position{};  ///< the file's units, node transforms applied
+  std::array<float, 3> position{};  ///< the file's units, node transforms applied, from SourceModel::origin
   std::array<float, 3> normal{};    ///< unit; zero: to be generated
   std::array<float, 2> texcoord{};  ///< v grows downwards
   std::array<std::uint8_t, 4> colour{255, 255, 255, 255};
@@ -110,9 +110,13 @@ struct SourceCamera {
   bool orthographic = false;
   double field_of_view = 45;  ///< perspective: vertical, degrees
   double half_height = 1;     ///< orthographic: half the visible height, in the file's units
+  double near = 0;            ///< distance of the near plane, in the file's units; 0: the file does not say it
 };
 
 struct SourceModel {
+  /// Positions of vertices begin here, because floats of places far away have no bits left for a model's details. All
+  /// other places are in the file's coordinates.
+  Vector origin{};
   std::vector<SourceMesh> meshes;
   std::vector<SourceLines> lines;
   std::vector<SourceMaterial> materials;
@@ -124,5 +128,11 @@ struct SourceModel {
   std::vector<SourceJoint> joints;    ///< of all skins, at most 256
   std::vector<std::string> warnings;  ///< features that are missing in the picture, one line each
 };
+
+/// Returns the vertex's place in the file's coordinates.
+inline Vector place_of(const SourceModel& model, const SourceVertex& vertex) {
+  return {model.origin[0] + double{vertex.position[0]}, model.origin[1] + double{vertex.position[1]},
+          model.origin[2] + double{vertex.position[2]}};
+}
 
 }  // namespace zstrip::sim

@@ -41,9 +41,11 @@ Vec3 to_fixed(const std::array<double, 3>& point) {
 }
 
 /// Sets near and far plane around everything that can be in front of the eye; the renderer fits the depth range inside.
-void set_planes(Camera& camera, double radius) {
+/// Inside of the scene the near plane is at 0.01, or nearer at `nearest` (scene units).
+void set_planes(Camera& camera, double radius, double nearest = 0.01) {
+  constexpr double kMinNear = 1.0 / 8192;
   const double distance = distance_to_origin(camera);
-  camera.near_plane = sim::to_fixed(std::max(0.9 * (distance - radius), 0.01));
+  camera.near_plane = sim::to_fixed(std::max(0.9 * (distance - radius), std::clamp(nearest, kMinNear, 0.01)));
   camera.far_plane = sim::to_fixed(std::min(1.1 * (distance + radius) + 0.1, kMaxLength));
 }
 
@@ -108,7 +110,8 @@ Result<Camera> place_camera(const CameraOptions& options, const Units& units, do
   if (options.orthographic) {
     if (const Result<Done> changed = make_orthographic(camera, distance); !changed) return changed.failure();
   }
-  set_planes(camera, radius);
+  // A camera close to a large ground looks at something close.
+  set_planes(camera, radius, 0.05 * distance);
   return camera;
 }
 
@@ -133,7 +136,7 @@ Result<Camera> file_camera(const SourceCamera& source, const Units& units, doubl
   } else if (const Result<Done> focal = set_focal(camera, {.field_of_view = source.field_of_view}); !focal) {
     return focal.failure();
   }
-  set_planes(camera, radius);
+  set_planes(camera, radius, source.near > 0 ? source.near * units.scale : 0.01);
   return camera;
 }
 

@@ -90,14 +90,74 @@ TEST_F(Import, LinesOfMtlThatAreNotKnownAreSkipped) {
                                                                       {"Ke 0 0 1", "without its emission"},
                                                                       {"Kd spectral a.rfl", "without its colour"},
                                                                       {"norm -bm 1 n.png", "without: normal maps"},
-                                                                      {"map_Bump n.png", "without: normal maps"},
-                                                                      {"map_Kd -s 2 2 1 t.png", "-s and -o"}}) {
+                                                                      {"map_Bump n.png", "without: normal maps"}}) {
     png("t.png", 2, 2, 0xF800);
     file("m.mtl", "newmtl a\n" + line + "\n");
     const Model read = model(file("m.obj", "mtllib m.mtl\nusemtl a\n" + kTriangleObj));
     ASSERT_EQ(read.warnings.size(), 1U) << line;
     EXPECT_NE(read.warnings[0].find(words), std::string::npos) << read.warnings[0];
   }
+}
+
+/// 'parm' was taken for a point.
+TEST_F(Import, LinesOfObjThatAreNotDrawnAreSkipped) {
+  const Model expected = model(file("e.obj", kTriangleObj));
+  const Model read = model(file("m.obj", "cstype bezier\n" + kTriangleObj +
+                                             "curv 0 1 1 2 3\nparm u 0 1\nsurf 0 1 0 1 1\nend\nlod 2\nshadow_obj a\n"));
+  EXPECT_EQ(triangles(read), triangles(expected));
+  EXPECT_TRUE(read.segments.empty());
+}
+
+TEST_F(Import, TexturesAreFoundInFoldersOfAnotherMachine) {
+  std::filesystem::create_directory(path("Tex Dir"));
+  png("Tex Dir/My Red.PNG", 2, 2, 0xF800);
+  for (const char* name : {"C:\\Users\\x\\tex dir\\my red.png", "tex dir/MY RED.png  ", "/Volumes/x/Tex Dir/My Red.PNG",
+                           "./TEX DIR/My red.png", "..\\..\\Tex Dir\\My Red.PNG"}) {
+    file("m.mtl", std::string("newmtl a\nmap_Kd ") + name + "\n");
+    const Model read = model(file("m.obj",
+                                  "mtllib \"m.mtl\"\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                  "f 1/1 2/2 3/3\n"));
+    EXPECT_TRUE(read.warnings.empty()) << name << ": " << read.warnings[0];
+    EXPECT_EQ(read.textures.size(), 1U) << name;
+  }
+}
+
+TEST_F(Import, OptionsOfATextureMoveAndScaleIt) {
+  png("two words.png", 2, 2, 0xF800);
+  const auto texcoords = [&](const std::string& options) {
+    file("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd " + options + "two words.png\n");
+    const Model read = model(file("m.obj",
+                                  "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                  "f 1/1 2/2 3/3\n"));
+    EXPECT_TRUE(read.warnings.empty()) << options;
+    EXPECT_EQ(read.textures.size(), 1U) << options;
+    // Of the extent alone: whole repeats are taken off.
+    int low_u = 32767, high_u = -32767, low_v = 32767, high_v = -32767;
+    for (const TexCoord& t : read.meshes[0].texcoords) {
+      low_u = std::min<int>(low_u, t.u), high_u = std::max<int>(high_u, t.u);
+      low_v = std::min<int>(low_v, t.v), high_v = std::max<int>(high_v, t.v);
+    }
+    const double one = std::ldexp(1.0, read.meshes[0].texcoord_bits);
+    return std::array<double, 3>{(high_u - low_u) / one, (high_v - low_v) / one, low_u / one - std::floor(low_u / one)};
+  };
+  EXPECT_EQ(texcoords(""), (std::array<double, 3>{1, 1, 0}));
+  EXPECT_EQ(texcoords("-s 2 3 1 "), (std::array<double, 3>{2, 3, 0}));
+  EXPECT_EQ(texcoords("-o .25 0 -S 2 "), (std::array<double, 3>{2, 1, .25}));
+  EXPECT_EQ(texcoords("-clamp off -blendu on -mm 0 1 -imfchan r -bm 2 -t 0 0 0 -texres 64 "),
+            (std::array<double, 3>{1, 1, 0}));
+}
+
+TEST_F(Import, PlacesOfObjFarAwayKeepTheirDigits) {
+  const auto square = [](const char* x0, const char* x1, const char* y0, const char* y1) {
+    const auto corner = [](const char* x, const char* y) { return std::string("v ") + x + ' ' + y + " 7\n"; };
+    return corner(x0, y0) + corner(x1, y0) + corner(x1, y1) + corner(x0, y1) + "f 1 2 3 4\n";
+  };
+  const Model near = model(file("n.obj", square("0.125", "1.25", "0", "3")));
+  const Model far = model(file("f.obj", square("40000000.125", "40000001.25", "-5000003", "-5000000")));
+  EXPECT_EQ(triangles(far), triangles(near));
+  EXPECT_EQ(far.units.origin, (std::array<double, 3>{40000000.6875, -5000001.5, 7}));
+  const Model up = model(path("f.obj"), UpAxis::plus_z);
+  EXPECT_EQ(up.units.origin, (std::array<double, 3>{40000000.6875, 7, 5000001.5}));
 }
 
 /// Files with comments behind faces were refused, and of several files of materials in a line none was found.

@@ -22,8 +22,9 @@ struct SmallModel {
   std::string sentence, file;
   std::vector<Seen> seen;
   std::string place = "0,0,0";  ///< that the camera looks at, against z
-  int frame = 0;                ///< of five; 0: a single picture
+  int frame = 0;                ///< of `frames`; 0: a single picture
   std::vector<std::string> options{};
+  int frames = 5;
 };
 
 const std::vector<SmallModel>& small_models() {
@@ -51,6 +52,22 @@ const std::vector<SmallModel>& small_models() {
       {"NormalsOfStlMayBeNoNumbers", "s_ni.stl", {{0, 0, kGrey}}, "0,0,0", 0, {"--up", "y"}},
       {"ABlankLineMayStandBeforeSolid", "s_ls.stl", {{0, 0, kGrey}}, "0,0,0", 0, {"--up", "y"}},
       {"MagicsWritesTheColourOfTheWholeIntoTheHeader", "s_mag.stl", {{0, 0, kLitGreen}}, "0,0,0", 0, {"--up", "y"}},
+      {"ANodeOfNoSizeAtRestGrows", "scale_zero.gltf", {{-.25, 0, kRed}, {.8, 0, kGreen}}, "0,0,0", 2, {}, 4},
+      {"PlacesFarAwayKeepTheirDetails",
+       "geo_4e6.gltf",
+       {{.15, 0, kRed}, {.3, 0, kGreen}, {.45, 0, kRed}},
+       "4000000,0,0"},
+      {"GoldOfSpecularAndGlossinessIsNotBlack", "specgloss_gold.gltf", {{0, 0, {194, 170, 118}}}},
+      {"MeshesHaveCopies",
+       "instancing.gltf",
+       {{-.7, 0, kRed}, {0, 0, kRed}, {.7, 0, kRed}, {-.35, 0, kBlack}, {.35, 0, kBlack}}},
+      {"NodesThatAreNotVisibleAreNotDrawn", "invisible.gltf", {{-.5, 0, kRed}, {.5, 0, kBlack}}},
+      {"PicturesMayHaveInks", "jpeg_cmyk.gltf", {{-.5, 0, kRed}, {.5, 0, kGreen}}},
+      {"OptionsOfATextureScaleIt",
+       "scale.obj",
+       {{-.75, 0, kLitRed}, {-.25, 0, kLitGreen}, {.25, 0, kLitRed}, {.75, 0, kLitGreen}}},
+      {"FacesOfPlyHaveColours", "p_face.ply", {{0, 0, kLitGreen}}},
+      {"ObjectsOf3mfLieInOtherParts", "m_production.3mf", {{0, 0, kGrey}}, "0,0,0", 0, {"--up", "y"}},
   };
   return kModels;
 }
@@ -70,7 +87,7 @@ TEST_P(SmallModels, HaveTheseColours) {
   if (model.frame == 0) {
     arguments.emplace_back("seen.png");
   } else {
-    arguments.insert(arguments.end(), {"seen", "--frames", "5"});
+    arguments.insert(arguments.end(), {"seen", "--frames", std::to_string(model.frames)});
   }
   arguments.insert(arguments.end(), model.options.begin(), model.options.end());
   const Outcome outcome = zstrip(arguments);
@@ -88,6 +105,29 @@ TEST_P(SmallModels, HaveTheseColours) {
 
 INSTANTIATE_TEST_SUITE_P(, SmallModels, ::testing::ValuesIn(small_models()),
                          [](const auto& row) { return row.param.sentence; });
+
+/// The near plane was a hundredth of the model away at least.
+TEST_F(Command, ACameraCloseToALargeGroundSeesIt) {
+  for (const std::vector<std::string>& camera :
+       {std::vector<std::string>{"--camera", "Cam"}, {"--eye", "0,0,5", "--look-at", "0,0,0", "--fov", "30"}}) {
+    std::vector<std::string> arguments{"render", ZSTRIP_SMALL_MODELS "/ground_2000.gltf", "--size", "64x64", "-o",
+                                       "g.png"};
+    arguments.insert(arguments.end(), camera.begin(), camera.end());
+    const Outcome outcome = zstrip(arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+    const RgbImage seen = picture("g.png");
+    EXPECT_EQ((Rgb{seen.pixel(32, 32)[0], seen.pixel(32, 32)[1], seen.pixel(32, 32)[2]}), kRed);
+    EXPECT_EQ((Rgb{seen.pixel(5, 5)[0], seen.pixel(5, 5)[1], seen.pixel(5, 5)[2]}), kGreen);
+  }
+}
+
+/// Two of its corners lie on each axis, and four at 0: most of it was said to lie in the middle.
+TEST_F(Command, AnOctahedronIsSeenWithoutAWarning) {
+  const Outcome outcome = zstrip({"render", ZSTRIP_SMALL_MODELS "/octahedron.obj", "--size", "64x64", "-o", "o.png"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+}
 
 using RefusedModels = Command;
 

@@ -87,6 +87,8 @@ void append_libraries(std::string& to, std::string_view names, const std::functi
     words.push_back(word);
   }
   if (is_file(names) || std::ranges::none_of(words, is_file)) words = {names};
+  const bool is_quoted = names.size() > 2 && names.front() == '"' && names.back() == '"';
+  if (is_quoted && words.size() == 1) words = {names.substr(1, names.size() - 2)};
   for (const std::string_view word : words) to += fmt::format("mtllib {}\n", word);
 }
 
@@ -96,28 +98,16 @@ bool is_of_numbers(std::string_view key) {
   return std::ranges::find(kKeys, key) != kKeys.end();
 }
 
+/// Others are of curves and of other programs; Assimp takes some for lines that begin with the same letter.
+bool is_read(std::string_view key) {
+  constexpr std::array<std::string_view, 4> kNames{"o", "g", "usemtl", "fo"};
+  return is_of_numbers(key) || std::ranges::find(kNames, key) != kNames.end();
+}
+
 /// x y z, x y z w, x y z r g b or x y z r g b a.
 using VertexWords = std::array<std::string_view, 7>;
 
 bool has_colour(std::span<const std::string_view> words) { return words.size() >= 6; }
-
-bool has_coloured_vertices(std::string_view text) {
-  while (!text.empty()) {
-    std::string_view line = take_line(text);
-    VertexWords words;
-    if (take_word(line) == "v" && has_colour(take_words(line, words))) return true;
-  }
-  return false;
-}
-
-void append_vertex(std::string& to, std::span<const std::string_view> words, bool coloured) {
-  const std::size_t used = has_colour(words)                ? 6
-                           : words.size() == 4 && !coloured ? 4
-                                                            : std::min<std::size_t>(words.size(), 3);
-  append(to, "v", words.first(used));
-  if (coloured && used == 3) to += fmt::format(" {0} {0} {0}", kNoColour);
-  to += '\n';
-}
 
 /// Some exporters write a decimal comma.
 std::optional<double> number_of(std::string_view word) {
@@ -128,6 +118,65 @@ std::optional<double> number_of(std::string_view word) {
   const auto [end, error] = std::from_chars(text.data(), last, value);
   if (error != std::errc() || end != last || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+/// Facts about all vertices that a file has.
+struct Vertices {
+  bool coloured = false;
+  std::array<double, 3> origin{};  ///< of positions too far away for floats
+};
+
+Vertices survey(std::string_view text) {
+  constexpr double kFar = 1024;  // times the file's extent; 13 of a float's 23 bits are left
+  Vertices found;
+  std::array<double, 3> low{}, high{};
+  bool is_first = true;
+  while (!text.empty()) {
+    std::string_view line = take_line(text);
+    VertexWords words;
+    if (take_word(line) != "v") continue;
+    const std::span<const std::string_view> of_vertex = take_words(line, words);
+    if (has_colour(of_vertex)) found.coloured = true;
+    for (std::size_t axis = 0; of_vertex.size() >= 3 && axis < 3; ++axis) {
+      const std::optional<double> number = number_of(of_vertex[axis]);
+      if (!number) continue;
+      low[axis] = is_first ? *number : std::min(low[axis], *number);
+      high[axis] = is_first ? *number : std::max(high[axis], *number);
+    }
+    is_first = false;
+  }
+  double extent = 0, distance = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    extent = std::max(extent, high[axis] - low[axis]);
+    distance = std::max(distance, std::abs(high[axis] + low[axis]) / 2);
+  }
+  for (std::size_t axis = 0; distance > kFar * extent && axis < 3; ++axis) {
+    found.origin[axis] = (high[axis] + low[axis]) / 2;
+  }
+  return found;
+}
+
+/// Appends the number with as many digits as a float has, from the origin.
+void append_from(std::string& to, std::string_view word, double origin) {
+  const std::optional<double> number = number_of(word);
+  to += number ? fmt::format(" {:.9g}", *number - origin) : fmt::format(" {}", word);
+}
+
+void append_vertex(std::string& to, std::span<const std::string_view> words, const Vertices& all) {
+  const bool coloured = all.coloured;
+  const std::size_t used = has_colour(words)                ? 6
+                           : words.size() == 4 && !coloured ? 4
+                                                            : std::min<std::size_t>(words.size(), 3);
+  const bool is_far = all.origin != std::array<double, 3>{} && used >= 3;
+  if (is_far) {
+    to += 'v';
+    for (std::size_t axis = 0; axis < 3; ++axis) append_from(to, words[axis], all.origin[axis]);
+    append(to, "", words.subspan(3, used - 3));
+  } else {
+    append(to, "v", words.first(used));
+  }
+  if (coloured && used == 3) to += fmt::format(" {0} {0} {0}", kNoColour);
+  to += '\n';
 }
 
 /// Reads three numbers, or one for all three channels.
@@ -156,10 +205,11 @@ bool is_of_blender(std::string_view text) {
 }
 
 std::string plain_obj(std::string_view from, const std::function<bool(std::string_view)>& is_file,
-                      std::set<std::string>& used) {
+                      std::set<std::string>& used, std::array<double, 3>& origin) {
   const std::string joined = with_joined_lines(from);
   std::string_view text = joined;
-  const bool coloured = has_coloured_vertices(text);
+  const Vertices all = survey(text);
+  origin = all.origin;
   std::string_view material;
   std::string plain;
   plain.reserve(text.size() + text.size() / 8);
@@ -169,7 +219,7 @@ std::string plain_obj(std::string_view from, const std::function<bool(std::strin
     const std::string_view key = take_word(rest);
     if (key == "v") {
       VertexWords words;
-      append_vertex(plain, take_words(rest, words), coloured);
+      append_vertex(plain, take_words(rest, words), all);
     } else if (key == "vt") {
       std::array<std::string_view, 3> words;
       const std::span<const std::string_view> found = take_words(rest, words);
@@ -177,7 +227,7 @@ std::string plain_obj(std::string_view from, const std::function<bool(std::strin
       plain += found.size() == 1 ? " 0\n" : "\n";
     } else if (key == "mtllib") {
       append_libraries(plain, trimmed(rest), is_file);
-    } else {
+    } else if (is_read(key)) {
       plain += is_of_numbers(key) ? line.substr(0, line.find('#')) : line;
       plain += '\n';
     }
@@ -199,15 +249,48 @@ struct MtlMaterial {
   bool bad_colour = false, emits = false;
 };
 
-/// True if options of a texture scale it (-s) or move it (-o).
-bool is_placed(std::string_view texture) {
-  double neutral = -1;  // the value without effect; -1: none, these numbers do not move or scale
-  for (std::string_view word = take_word(texture); !word.empty(); word = take_word(texture)) {
-    const std::optional<double> number = number_of(word);
-    if (number && neutral >= 0 && *number != neutral) return true;
-    if (!number) neutral = word == "-s" ? 1 : word == "-o" ? 0 : -1;
+/// The name of a texture, and the options before it that are drawn.
+struct MtlTexture {
+  std::string_view name;
+  TexturePlace place;
+  bool clamps = false;
+};
+
+/// Numbers after -s and -o: one to three, of which the third is depth.
+void take_numbers(std::string_view& rest, std::array<double, 2>& numbers) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::string_view after = rest;
+    const std::optional<double> number = number_of(take_word(after));
+    if (!number) return;
+    if (i < 2) numbers[i] = *number;
+    rest = after;
   }
-  return false;
+}
+
+MtlTexture texture_of(std::string_view line) {
+  constexpr std::array<std::string_view, 8> kOfOneWord{"-blendu", "-blendv",  "-boost",  "-cc",
+                                                       "-bm",     "-imfchan", "-texres", "-type"};
+  MtlTexture texture;
+  std::array<double, 2> ignored{};
+  while (true) {
+    std::string_view rest = line;
+    const std::string option = lower(std::string(take_word(rest)));
+    if (option == "-s") {
+      take_numbers(rest, texture.place.scale);
+    } else if (option == "-o") {
+      take_numbers(rest, texture.place.move);
+    } else if (option == "-t" || option == "-mm") {
+      take_numbers(rest, ignored);
+    } else if (option == "-clamp") {
+      texture.clamps = lower(std::string(take_word(rest))) == "on";
+    } else if (std::ranges::find(kOfOneWord, option) != kOfOneWord.end()) {
+      take_word(rest);
+    } else {
+      texture.name = trimmed(line);
+      return texture;
+    }
+    line = rest;
+  }
 }
 
 void append(std::string& to, const MtlMaterial& material, bool linear) {
@@ -221,16 +304,14 @@ void append(std::string& to, const MtlMaterial& material, bool linear) {
     to += '\n';
   }
   if (!material.illumination.empty()) to += fmt::format("illum {}\n", material.illumination);
-  if (!material.texture.empty()) to += fmt::format("map_Kd {}\n", material.texture);
+  const MtlTexture texture = texture_of(material.texture);
+  if (!texture.name.empty()) to += fmt::format("map_Kd {}{}\n", texture.clamps ? "-clamp on " : "", texture.name);
 }
 
 void warn(const MtlMaterial& material, std::vector<std::string>& warnings) {
   const std::string name = printable(std::string(material.name));
   if (material.bad_colour) {
     warnings.push_back(fmt::format("material '{}' drawn without its colour: only Kd of numbers is read", name));
-  }
-  if (is_placed(material.texture)) {
-    warnings.push_back(fmt::format("material '{}' drawn with its texture as it is: -s and -o are not read", name));
   }
   if (material.emits) {
     warnings.push_back(fmt::format("material '{}' drawn without its emission: it is read of glTF 2.0 only", name));
@@ -242,8 +323,7 @@ constexpr std::array<std::string_view, 4> kNormalMaps{"bump", "map_bump", "map_k
 
 }  // namespace
 
-std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings,
-                      std::set<std::string>& defined) {
+std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings, ObjMaterials& materials) {
   linear = linear || is_of_blender(text);
   std::string plain;
   std::optional<MtlMaterial> material;
@@ -252,6 +332,8 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     if (!material) return;
     append(plain, *material, linear);
     warn(*material, warnings);
+    const TexturePlace place = texture_of(material->texture).place;
+    if (place != TexturePlace{}) materials.places[std::string(material->name)] = place;
   };
   while (!text.empty()) {
     std::string_view rest = take_line(text);
@@ -260,7 +342,7 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     if (key == "newmtl") {
       finish();
       material = MtlMaterial{.name = rest, .texture = {}, .illumination = {}, .colour = {}};
-      defined.emplace(rest);
+      materials.defined.emplace(rest);
     }
     if (!material) continue;
     if (std::ranges::find(kNormalMaps, key) != kNormalMaps.end()) has_normal_maps = true;

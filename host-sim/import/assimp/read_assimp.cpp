@@ -28,14 +28,24 @@
 #include "import/mesh_groups.hpp"
 #include "import/model_files.hpp"
 #include "import/screen_channel.hpp"
+#include "import/triangulate.hpp"
 #include "import/turn_up.hpp"
+#include "import/unreadable.hpp"
 #include "text/number.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {
 
 /// Adding zero changes -0 to 0, so that equal vertices are equal bytes.
 std::array<float, 3> components(const aiVector3D& v) { return {v.x + 0.0F, v.y + 0.0F, v.z + 0.0F}; }
+
+Affine affine_of(const aiMatrix4x4& m) {
+  const auto d = [](float value) { return double{value}; };
+  return {{{{d(m.a1), d(m.a2), d(m.a3), d(m.a4)},
+            {d(m.b1), d(m.b2), d(m.b3), d(m.b4)},
+            {d(m.c1), d(m.c2), d(m.c3), d(m.c4)}}}};
+}
 
 /// Returns a vector of unit length, or zero if there is no direction.
 aiVector3D direction(const aiVector3D& v) {
@@ -76,9 +86,6 @@ bool has_colour(const aiColor4D& colour) {
   return colour.r != kNoColour || colour.g != kNoColour || colour.b != kNoColour;
 }
 
-/// Limit for a face's corners: the time of Assimp's triangulation grows faster than their square.
-constexpr unsigned kMaxCorners = 5'000;
-
 unsigned most_corners(const aiScene& scene) {
   unsigned most = 0;
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
@@ -99,22 +106,46 @@ void rethrow_lack_of_memory(const std::exception_ptr& caught) {
   }
 }
 
+/// Returns Assimp's reason without what it quotes from the file, in one line.
+std::string without_contents(std::string_view reason) {
+  constexpr std::size_t kMaxReason = 160;
+  std::string plain;
+  char quote = '\0';
+  for (const char c : reason.substr(0, kMaxReason)) {
+    if (quote != '\0' ? c != quote : c != '"' && c != '`') {
+      if (quote == '\0') plain += c;
+      continue;
+    }
+    plain += quote == '\0' ? "'..." : "'";
+    quote = quote == '\0' ? c : '\0';
+  }
+  if (quote != '\0') plain += '\'';
+  return "as Assimp says: " + printable(plain);
+}
+
 /// Walks the nodes and collects their transformed meshes.
 class Collector {
  public:
-  Collector(const aiScene& scene, const aiMatrix4x4& turn, const MaterialReader& materials, Texcoords texcoords,
-            SourceModel& model)
-      : scene_(scene), turn_(turn), materials_(materials), texcoords_(texcoords), model_(model), groups_(model) {}
+  Collector(const aiScene& scene, const Affine& turn, const FilesRead& files, const MaterialReader& materials,
+            Texcoords texcoords, SourceModel& model)
+      : scene_(scene),
+        turn_(turn),
+        files_(files),
+        materials_(materials),
+        texcoords_(texcoords),
+        model_(model),
+        groups_(model) {}
 
   Result<Done> collect();
 
  private:
-  Result<Done> add(const aiMesh& mesh, const aiMatrix4x4& transform);
-  SourceVertex vertex(const aiMesh& mesh, unsigned index, const aiMatrix4x4& transform,
-                      const aiMatrix3x3& normal_transform, const SourcePrimitive& to) const;
+  Result<Done> add(const aiMesh& mesh, const Affine& transform);
+  SourceVertex vertex(const aiMesh& mesh, unsigned index, const aiMatrix3x3& normal_transform,
+                      const SourcePrimitive& to, const TexturePlace& texture) const;
 
   const aiScene& scene_;
-  const aiMatrix4x4& turn_;
+  Affine turn_;
+  const FilesRead& files_;
   const MaterialReader& materials_;
   Texcoords texcoords_;
   SourceModel& model_;
@@ -122,8 +153,10 @@ class Collector {
 };
 
 Result<Done> Collector::collect() {
-  std::vector<std::pair<const aiNode*, aiMatrix4x4>> open;
-  if (scene_.mRootNode != nullptr) open.emplace_back(scene_.mRootNode, turn_ * scene_.mRootNode->mTransformation);
+  std::vector<std::pair<const aiNode*, Affine>> open;
+  if (scene_.mRootNode != nullptr) {
+    open.emplace_back(scene_.mRootNode, turn_ * affine_of(scene_.mRootNode->mTransformation));
+  }
   while (!open.empty()) {
     const auto [node, transform] = open.back();
     open.pop_back();
@@ -133,16 +166,15 @@ Result<Done> Collector::collect() {
     }
     // In reverse, so that children are removed from the stack in the file's order.
     for (unsigned child = node->mNumChildren; child-- > 0;) {
-      open.emplace_back(node->mChildren[child], transform * node->mChildren[child]->mTransformation);
+      open.emplace_back(node->mChildren[child], transform * affine_of(node->mChildren[child]->mTransformation));
     }
   }
   return groups_.finish();
 }
 
-SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatrix4x4& transform,
-                               const aiMatrix3x3& normal_transform, const SourcePrimitive& to) const {
+SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatrix3x3& normal_transform,
+                               const SourcePrimitive& to, const TexturePlace& texture) const {
   SourceVertex vertex;
-  vertex.position = components(transform * mesh.mVertices[index]);
   if (mesh.HasNormals()) vertex.normal = components(direction(normal_transform * mesh.mNormals[index]));
   if (to.has_colours) {
     const aiColor4D& colour = mesh.mColors[0][index];
@@ -157,13 +189,16 @@ SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatri
     const aiVector3D& texcoord = mesh.mTextureCoords[materials_.texcoord_set(mesh.mMaterialIndex)][index];
     // Assimp's v grows upwards.
     if (std::isfinite(texcoord.x) && std::isfinite(texcoord.y)) {
-      vertex.texcoord = {texcoord.x + 0.0F, 1.0F - texcoord.y};
+      const auto placed = [&texture](std::size_t axis, float at) {
+        return static_cast<float>(double{at} * texture.scale[axis] + texture.move[axis]);
+      };
+      vertex.texcoord = {placed(0, texcoord.x) + 0.0F, 1.0F - placed(1, texcoord.y)};
     }
   }
   return vertex;
 }
 
-Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
+Result<Done> Collector::add(const aiMesh& mesh, const Affine& transform) {
   if (!mesh.HasPositions()) return Done{};
   SourcePrimitive to;
   to.material = mesh.mMaterialIndex;
@@ -175,13 +210,19 @@ Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
       mesh.HasVertexColors(0) && std::ranges::any_of(std::span(mesh.mColors[0], mesh.mNumVertices), has_colour);
   to.has_texcoords = wants_texcoords && set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
   to.morphs = mesh.mNumAnimMeshes > 0 && scene_.mNumAnimations > 0;
-  to.mirrored = aiMatrix3x3(transform).Determinant() < 0;
-  const std::vector<aiMatrix4x4> at_rest = bones_at_rest(scene_, turn_, mesh, transform);
-  const aiMatrix3x3 normal_transform = map_of_normals(transform);
+  to.mirrored = determinant(transform) < 0;
+  const std::vector<aiMatrix4x4> at_rest = bones_at_rest(scene_, to_matrix(turn_), mesh, to_matrix(transform));
+  const aiMatrix3x3 normal_transform = map_of_normals(to_matrix(transform));
+  const auto placed = files_.materials.places.find(model_.materials[to.material].name);
+  const TexturePlace texture = placed == files_.materials.places.end() ? TexturePlace{} : placed->second;
   to.vertices.reserve(mesh.mNumVertices);
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-    to.vertices.push_back(at_rest.empty() ? vertex(mesh, i, transform, normal_transform, to)
-                                          : vertex(mesh, i, at_rest[i], map_of_normals(at_rest[i]), to));
+    const aiVector3D& at = mesh.mVertices[i];
+    const Affine place = at_rest.empty() ? transform : affine_of(at_rest[i]);
+    to.positions.push_back(place * Vector{double{at.x} + files_.origin[0], double{at.y} + files_.origin[1],
+                                          double{at.z} + files_.origin[2]});
+    to.vertices.push_back(
+        vertex(mesh, i, at_rest.empty() ? normal_transform : map_of_normals(at_rest[i]), to, texture));
   }
   if (to.has_texcoords) {
     const std::span texcoords(mesh.mTextureCoords[set], mesh.mNumVertices);
@@ -198,7 +239,7 @@ Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
   for (unsigned i = 0; mesh.mNumFaces == 0 && i < mesh.mNumVertices; ++i) {
     to.segments.insert(to.segments.end(), {i, i});
   }
-  return groups_.add(to);
+  return groups_.add(std::move(to));
 }
 
 /// Makes vertex colours replace the material's colour, which would otherwise multiply them.
@@ -235,21 +276,19 @@ Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional
   }
   if (scene == nullptr) {
     rethrow_lack_of_memory(importer.GetException());
-    std::string reason = importer.GetErrorString();
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    return Failure{ExitStatus::input,
-                   fmt::format("is no readable model ({}); export it again, for example as .glb", reason)};
+    return unreadable_model(without_contents(importer.GetErrorString()));
   }
   parsed();
   SourceModel model;
-  const aiMatrix4x4 turn = to_matrix(turn_up(up.value_or(up_of_format(*scene, path))));
+  const Affine turn = turn_up(up.value_or(up_of_format(*scene, path)));
   MaterialReader materials(*scene, path, model);
   materials.read_all();
-  if (const Result<Done> collected = Collector(*scene, turn, materials, texcoords, model).collect(); !collected) {
+  if (const Result<Done> collected = Collector(*scene, turn, files, materials, texcoords, model).collect();
+      !collected) {
     return collected.failure();
   }
   colour_by_vertices(model);
-  read_lights(*scene, turn, model);
+  read_lights(*scene, to_matrix(turn), model);
   warn_of_unread(path, files, model);
   return model;
 }

@@ -12,9 +12,8 @@
 namespace zstrip::sim {
 namespace {
 
-/// Formats of printing and CAD, of Blender, trueSpace, Quick3D, Half-Life and 3D GameStudio.
-constexpr std::string_view kUpwardsZ[] = {".stl", ".3mf", ".amf", ".blend", ".cob", ".scn",
-                                          ".q3o", ".q3s", ".smd", ".vta",   ".hmp"};
+/// Formats of printing, of Blender, trueSpace, Quick3D, Half-Life and 3D GameStudio.
+constexpr std::string_view kUpwardsZ[] = {".amf", ".blend", ".cob", ".scn", ".q3o", ".q3s", ".smd", ".vta", ".hmp"};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -39,9 +40,10 @@ void for_each_channel(const GltfJson& json, const Visit& visit) {
   for (std::size_t i = 0; i < count_of(json, "animations"); ++i) {
     const GltfJson& animation = element(member(json, "animations"), i);
     for (std::size_t k = 0; k < count_of(animation, "channels"); ++k) {
-      if (const auto target = target_of(element(member(animation, "channels"), k), count_of(json, "nodes"))) {
-        visit(*target);
-      }
+      const GltfJson& channel = element(member(animation, "channels"), k);
+      const auto target = target_of(channel, count_of(json, "nodes"));
+      const std::optional<std::size_t> sampler = index_in(channel, "sampler");
+      if (target) visit(*target, sampler ? element(member(animation, "samplers"), *sampler) : GltfJson());
     }
   }
 }
@@ -141,17 +143,31 @@ Result<NodeAnimation> read_animation(const GltfJson& from, GltfAccessors& access
 
 }  // namespace
 
-std::set<std::size_t> nodes_of_animations(const GltfJson& json) {
-  std::set<std::size_t> nodes;
-  for_each_channel(json, [&](const Target& target) {
-    if (target.path == "translation" || target.path == "rotation" || target.path == "scale") nodes.insert(target.node);
+std::map<std::size_t, Vector> nodes_of_animations(const GltfJson& json, GltfAccessors& accessors) {
+  std::map<std::size_t, Vector> nodes;
+  for_each_channel(json, [&](const Target& target, const GltfJson& sampler) {
+    const bool scales = target.path == "scale";
+    if (!scales && target.path != "translation" && target.path != "rotation") return;
+    Vector& largest = nodes[target.node];
+    const std::optional<std::size_t> output = index_in(sampler, "output");
+    if (!scales || !output) return;
+    const Result<GltfValues<float>> values = accessors.floats(*output);
+    if (!values || values->components != 3) return;  // read_gltf_animations() has words for it
+    const bool spline = text_in(sampler, "interpolation") == "CUBICSPLINE";
+    for (std::size_t i = spline ? 1 : 0; i < values->count(); i += spline ? 3 : 1) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double size = std::abs(double{values->at(i)[axis]});
+        if (std::isfinite(size)) largest[axis] = std::max(largest[axis], size);
+      }
+    }
   });
   return nodes;
 }
 
 bool animations_morph(const GltfJson& json) {
   bool found = false;
-  for_each_channel(json, [&](const Target& target) { found = found || target.path == "weights"; });
+  for_each_channel(
+      json, [&](const Target& target, const GltfJson& /*sampler*/) { found = found || target.path == "weights"; });
   return found;
 }
 
@@ -168,6 +184,7 @@ Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors
     }
     const std::set<double> times = key_times(*read);
     if (times.empty()) continue;
+    nodes.set_rest_scale(*read);
     read->duration = *times.rbegin();
     if (!(read->duration > 0)) {
       if (!pose) pose = std::move(*read);

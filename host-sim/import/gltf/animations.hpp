@@ -1,7 +1,8 @@
 // Animations of a glTF file: curves of its nodes. Animations of morph targets are left out.
 #pragma once
 
-#include <set>
+#include <cstddef>
+#include <map>
 
 #include "import/gltf/accessors.hpp"
 #include "import/gltf/json.hpp"
@@ -11,8 +12,9 @@
 
 namespace zstrip::sim {
 
-/// Returns the nodes that an animation of the file moves, rotates or scales.
-std::set<std::size_t> nodes_of_animations(const GltfJson& json);
+/// Returns the nodes that an animation of the file moves, rotates or scales, each with the largest scale of all
+/// animations along each axis; 0: none scales it.
+std::map<std::size_t, Vector> nodes_of_animations(const GltfJson& json, GltfAccessors& accessors);
 /// True if an animation of the file changes weights of morph targets.
 bool animations_morph(const GltfJson& json);
 

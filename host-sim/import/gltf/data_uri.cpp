@@ -1,6 +1,8 @@
 // URIs that contain their data, and escapes in other URIs.
 #include "import/gltf/data_uri.hpp"
 
+#include <string>
+
 namespace zstrip::sim {
 namespace {
 
@@ -19,6 +21,13 @@ int hex_value(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/// Some writers break lines, or escape characters.
+std::string without_gaps(std::string_view text) {
+  std::string plain = without_escapes(text);
+  std::erase_if(plain, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
+  return plain;
 }
 
 std::optional<std::vector<std::uint8_t>> decode_base64(std::string_view text) {
@@ -48,7 +57,7 @@ std::optional<std::vector<std::uint8_t>> bytes_of_data_uri(std::string_view uri)
   const std::size_t comma = uri.find(',');
   if (!is_data_uri(uri) || comma == std::string_view::npos) return std::nullopt;
   const std::string_view type = uri.substr(0, comma), data = uri.substr(comma + 1);
-  if (type.ends_with(";base64")) return decode_base64(data);
+  if (type.ends_with(";base64")) return decode_base64(without_gaps(data));
   const std::string plain = without_escapes(data);
   return std::vector<std::uint8_t>(plain.begin(), plain.end());
 }

@@ -71,10 +71,6 @@ Result<Done> parse_json(std::span<const std::uint8_t> text, GltfDocument& docume
 
 Failure gltf_damaged(std::string reason) { return {ExitStatus::input, std::move(reason)}; }
 
-Failure unreadable_model(const std::string& reason) {
-  return {ExitStatus::input, fmt::format("is no readable model ({}); export it again, for example as .glb", reason)};
-}
-
 Result<GltfDocument> parse_gltf(std::span<const std::uint8_t> file) {
   GltfDocument document;
   if (!is_binary(file)) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "import/gltf/json.hpp"
+#include "import/unreadable.hpp"
 #include "result.hpp"
 
 namespace zstrip::sim {
@@ -30,7 +31,5 @@ Result<GltfDocument> parse_gltf(std::span<const std::uint8_t> file);
 
 /// Returns the failure of a damaged file: `reason` has no name and no full stop.
 Failure gltf_damaged(std::string reason);
-/// Returns the failure with a message that starts with a verb, as readers of all formats return it.
-Failure unreadable_model(const std::string& reason);
 
 }  // namespace zstrip::sim

@@ -14,18 +14,13 @@ namespace zstrip::sim {
 namespace {
 
 /// Two of them change only highlights, which are drawn on request.
-constexpr std::array<std::string_view, 12> kRead{"EXT_meshopt_compression",
-                                                 "EXT_texture_webp",
-                                                 "KHR_draco_mesh_compression",
-                                                 "KHR_lights_punctual",
-                                                 "KHR_materials_emissive_strength",
-                                                 "KHR_materials_ior",
-                                                 "KHR_materials_pbrSpecularGlossiness",
-                                                 "KHR_materials_specular",
-                                                 "KHR_materials_unlit",
-                                                 "KHR_mesh_quantization",
-                                                 "KHR_texture_transform",
-                                                 "KHR_xmp_json_ld"};
+constexpr std::array<std::string_view, 14> kRead{"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+                                                 "EXT_texture_webp",        "KHR_draco_mesh_compression",
+                                                 "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+                                                 "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
+                                                 "KHR_materials_specular",  "KHR_materials_unlit",
+                                                 "KHR_mesh_quantization",   "KHR_node_visibility",
+                                                 "KHR_texture_transform",   "KHR_xmp_json_ld"};
 
 /// An extension of glTF 1.0; files with it also have materials.
 constexpr std::string_view kTechnique = "KHR_technique_webgl";
@@ -34,9 +29,8 @@ constexpr std::string_view kTechnique = "KHR_technique_webgl";
 struct Lacking {
   std::string_view name, what;
 };
-constexpr std::array<Lacking, 15> kLacking{{
+constexpr std::array<Lacking, 14> kLacking{{
     {"EXT_lights_image_based", "light of an environment"},
-    {"EXT_mesh_gpu_instancing", "copies of meshes"},
     {"KHR_animation_pointer", "animations of materials, lights and cameras"},
     {"KHR_materials_anisotropy", "brushed highlights"},
     {"KHR_materials_clearcoat", "coats of varnish"},

@@ -44,7 +44,7 @@ void read_gltf_lights(const GltfJson& json, const GltfNodes& nodes, SourceModel&
   for (const std::size_t node : nodes.in_scene()) {
     const std::optional<std::size_t> index =
         index_in(extension(element(member(json, "nodes"), node), "KHR_lights_punctual"), "light");
-    if (!index) continue;
+    if (!index || !nodes.is_visible(node)) continue;
     const GltfJson& light = element(lights, *index);
     const std::optional<SourceLightType> type = type_of_light(light);
     if (!type) {
@@ -103,6 +103,7 @@ void read_gltf_cameras(const GltfJson& json, const GltfNodes& nodes, SourceModel
     } else {
       const double angle = number_in(member(camera, "perspective"), "yfov", std::numbers::pi / 4);
       read.field_of_view = angle * 180 / std::numbers::pi;
+      read.near = number_in(member(camera, "perspective"), "znear", 0);
     }
     model.cameras.push_back(read);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -34,6 +35,33 @@ void read_alpha(const GltfJson& from, double alpha, SourceMaterial& to) {
   if (to.alpha_cutoff == 0) to.alpha_mode = AlphaMode::opaque;
 }
 
+/// The share of light that other materials than metal reflect straight on, in glTF.
+constexpr double kStraight = 0.04;
+
+/// Perceived brightness, as KHR_materials_pbrSpecularGlossiness weighs it.
+double brightness(const std::array<double, 3>& c) {
+  return std::sqrt(0.299 * c[0] * c[0] + 0.587 * c[1] * c[1] + 0.114 * c[2] * c[2]);
+}
+
+/// Returns the base colour whose metal looks most like a diffuse and a specular colour: that of metal is all in the
+/// specular one. The root of how much metal there is comes from the formulas of both models of light.
+std::array<double, 3> base_of(const std::array<double, 4>& diffuse, const std::array<double, 3>& specular) {
+  const double rest = 1 - std::clamp(*std::ranges::max_element(specular), 0.0, 1.0);
+  const double of_diffuse = brightness({diffuse[0], diffuse[1], diffuse[2]}), of_specular = brightness(specular);
+  double metal = 0;
+  if (of_specular > kStraight) {
+    const double b = of_diffuse * rest / (1 - kStraight) + of_specular - 2 * kStraight;
+    metal = std::clamp((std::sqrt(b * b - 4 * kStraight * (kStraight - of_specular)) - b) / (2 * kStraight), 0.0, 1.0);
+  }
+  std::array<double, 3> base{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double plain = diffuse[i] * rest / (1 - kStraight) / std::max(1 - metal, 1e-6);
+    const double shiny = (specular[i] - kStraight * (1 - metal)) / std::max(metal, 1e-6);
+    base[i] = std::clamp(plain + (shiny - plain) * metal * metal, 0.0, 1.0);
+  }
+  return base;
+}
+
 }  // namespace
 
 void GltfMaterials::read_all() {
@@ -57,11 +85,16 @@ SourceMaterial GltfMaterials::read(const GltfJson& from, GltfTexcoords& texcoord
   to.name = text_in(from, "name");
   to.lit = !extension(from, "KHR_materials_unlit").is_object();
   to.double_sided = flag_in(from, "doubleSided");
-  // An older extension for the same, of which only the diffuse colour is drawn.
+  // An older extension for the same. Its specular colour is drawn where no texture has colours, too.
   const GltfJson& diffuse = extension(from, "KHR_materials_pbrSpecularGlossiness");
   const bool is_older = diffuse.is_object();
   const GltfJson& base = is_older ? diffuse : member(from, "pbrMetallicRoughness");
-  const auto factor = numbers_in<4>(base, is_older ? "diffuseFactor" : "baseColorFactor", {1, 1, 1, 1});
+  auto factor = numbers_in<4>(base, is_older ? "diffuseFactor" : "baseColorFactor", {1, 1, 1, 1});
+  if (is_older && member(base, "specularFactor").is_array() && !member(base, "diffuseTexture").is_object() &&
+      !member(base, "specularGlossinessTexture").is_object()) {
+    const std::array<double, 3> metallic = base_of(factor, numbers_in<3>(base, "specularFactor", {1, 1, 1}));
+    std::ranges::copy(metallic, factor.begin());
+  }
   to.colour = on_screen(factor[0], factor[1], factor[2]);
   read_alpha(from, factor[3], to);
   if (highlights_ == Highlights::of_materials && to.lit && !is_older) read_highlight(from, to);

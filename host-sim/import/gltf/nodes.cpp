@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "import/gltf/document.hpp"
@@ -13,6 +14,8 @@ namespace {
 /// With more moving nodes, sampling thousands of times would take minutes.
 constexpr std::size_t kMaxMoved = 4096;
 constexpr std::uint32_t kDeepestMoved = 64;
+
+bool has_size(const Affine& map) { return std::abs(determinant(map)) > 1e-30; }
 
 /// Returns nothing if the node has a matrix.
 std::optional<Placement> parts_of_node(const GltfJson& node) {
@@ -49,6 +52,8 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
             : affine_of_columns(numbers_in<16>(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
     read.nodes_[i].name = text_in(node, "name");
     if (read.nodes_[i].name.empty()) read.nodes_[i].name = fmt::format("node {}", i);
+    const GltfJson& visible = member(extension(node, "KHR_node_visibility"), "visible");
+    read.nodes_[i].visible = !visible.is_boolean() || visible.get<bool>();
     const GltfJson& children = member(node, "children");
     for (std::size_t k = 0; k < count_of(node, "children"); ++k) {
       const std::optional<std::size_t> child = to_index(element(children, k));
@@ -89,8 +94,14 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
       if (!read.nodes_[i].parent) read.roots_.push_back(i);
     }
   }
+  read.place_all(turn);
+  return read;
+}
+
+void GltfNodes::place_all(const Affine& turn) {
+  in_scene_.clear();
   // Joints may be outside of the scene: they have positions, too.
-  std::vector<bool> seen(read.nodes_.size());
+  std::vector<bool> seen(nodes_.size());
   const auto walk = [&](std::size_t root, bool in_scene) {
     std::vector<std::size_t> open{root};
     while (!open.empty()) {
@@ -98,18 +109,19 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
       open.pop_back();
       if (seen[at]) continue;
       seen[at] = true;
-      Place& place = read.nodes_[at];
-      place.world = (place.parent ? read.nodes_[*place.parent].world : turn) * place.local;
-      if (in_scene) read.in_scene_.push_back(at);
+      Place& place = nodes_[at];
+      const Place* const parent = place.parent ? &nodes_[*place.parent] : nullptr;
+      place.world = (parent != nullptr ? parent->world : turn) * place.local;
+      place.visible = place.visible && (parent == nullptr || parent->visible);
+      if (in_scene) in_scene_.push_back(at);
       // In reverse, so that children are removed from the stack in the file's order.
       open.insert(open.end(), place.children.rbegin(), place.children.rend());
     }
   };
-  for (const std::size_t root : read.roots_) walk(root, true);
-  for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
-    if (!read.nodes_[i].parent) walk(i, false);
+  for (const std::size_t root : roots_) walk(root, true);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!nodes_[i].parent) walk(i, false);
   }
-  return read;
 }
 
 std::optional<std::size_t> GltfNodes::node_in_a_circle() const {
@@ -123,7 +135,10 @@ std::optional<std::size_t> GltfNodes::node_in_a_circle() const {
   return std::nullopt;
 }
 
-void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn, SourceModel& model) {
+void GltfNodes::set_moved(const std::map<std::size_t, Vector>& moved, const Affine& turn, SourceModel& model) {
+  for (const auto& [node, largest] : moved) {
+    if (enlarge(nodes_[node], largest)) place_all(turn);
+  }
   /// The data of a node before it is visited.
   struct Open {
     std::size_t node;
@@ -142,9 +157,9 @@ void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn
     Open at = open.back();
     open.pop_back();
     Place& place = nodes_[at.node];
-    if (moved.contains(at.node)) {
-      // Vertices are stored in the pose at rest, whose map must have an inverse.
-      if (!(std::abs(determinant(at.before * place.local)) > 1e-12)) return give_up("a node has no size at rest");
+    // Vertices are stored in the pose at rest, whose map must have an inverse. Below a node of no size that does not
+    // grow nothing is seen.
+    if (moved.contains(at.node) && has_size(at.before * place.local)) {
       if (model.nodes.nodes.size() >= kMaxMoved || ++at.depth > kDeepestMoved) return give_up("too many nodes move");
       const auto index = static_cast<std::int32_t>(model.nodes.nodes.size());
       model.nodes.nodes.push_back(
@@ -158,6 +173,38 @@ void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn
     for (std::size_t i = place.children.size(); i-- > 0;) {
       open.push_back({place.children[i], at.mover, at.before, at.depth});
     }
+  }
+}
+
+bool GltfNodes::enlarge(Place& place, const Vector& largest) {
+  constexpr double kMuch = 64;  // a mesh keeps 10 of its 16 bits
+  Placement placement = place.parts ? *place.parts : to_placement(place.local);
+  const Vector at_rest = placement.scale;
+  bool larger = false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double most = largest[axis] > 0 ? largest[axis] : 1;
+    if (at_rest[axis] != 0 && std::abs(at_rest[axis]) * kMuch >= largest[axis]) continue;
+    placement.scale[axis] = std::copysign(most, at_rest[axis]);
+    larger = true;
+  }
+  if (!larger) return false;
+  place.rest_scale = at_rest;
+  place.local = to_affine(placement);
+  place.parts = placement;
+  return true;
+}
+
+void GltfNodes::set_rest_scale(NodeAnimation& animation) const {
+  for (const Place& place : nodes_) {
+    if (!place.rest_scale || place.mover == kNoNode) continue;
+    auto at = std::ranges::find(animation.moved, place.mover, &NodeCurves::node);
+    if (at == animation.moved.end()) {
+      at = animation.moved.emplace(at);
+      at->node = place.mover;
+    }
+    if (!at->scale.times.empty()) continue;
+    at->scale.times = {0};
+    at->scale.values = {*place.rest_scale};
   }
 }
 

@@ -105,16 +105,23 @@ GltfPrimitives::GltfPrimitives(const GltfJson& json, GltfBuffers& buffers, GltfA
 
 Result<Done> GltfPrimitives::read_all() {
   for (const std::size_t node : nodes_.in_scene()) {
-    const std::optional<std::size_t> index = index_in(element(member(json_, "nodes"), node), "mesh");
+    const GltfJson& json = element(member(json_, "nodes"), node);
+    const std::optional<std::size_t> index = index_in(json, "mesh");
     if (!index) continue;
     if (*index >= count_of(json_, "meshes")) return unreadable_model(fmt::format("there is no mesh {}", *index));
-    const GltfJson& mesh = element(member(json_, "meshes"), *index);
-    for (std::size_t k = 0; k < count_of(mesh, "primitives"); ++k) {
-      const Result<SourcePrimitive> read = read_primitive(mesh, element(member(mesh, "primitives"), k), node);
-      if (!read) return unreadable_model(read.failure().message);
-      if (read->vertices.empty()) continue;
-      if (const Result<Done> added = groups_.add(*read); !added) return added.failure();
+    if (!nodes_.is_visible(node)) {
+      ++invisible_;
+      continue;
     }
+    const Result<std::vector<Affine>> copies = copies_on(json);
+    if (!copies) return unreadable_model(copies.failure().message);
+    for (const Affine& copy : *copies) {
+      const Result<Done> added = add_mesh(element(member(json_, "meshes"), *index), node, copy);
+      if (!added) return added.failure();
+    }
+  }
+  if (groups_.is_empty() && invisible_ > 0) {
+    return Failure{ExitStatus::input, "has only meshes that KHR_node_visibility hides; export it with visible ones"};
   }
   if (const Result<Done> finished = groups_.finish(); !finished) return finished.failure();
   if (no_texcoords_ > 0) {
@@ -123,6 +130,52 @@ Result<Done> GltfPrimitives::read_all() {
   }
   skins_.warn();
   return Done{};
+}
+
+Result<Done> GltfPrimitives::add_mesh(const GltfJson& mesh, std::size_t node, const Affine& copy) {
+  for (std::size_t k = 0; k < count_of(mesh, "primitives"); ++k) {
+    Result<SourcePrimitive> read = read_primitive(mesh, element(member(mesh, "primitives"), k), node, copy);
+    if (!read) return unreadable_model(read.failure().message);
+    if (read->vertices.empty()) continue;
+    if (const Result<Done> added = groups_.add(std::move(*read)); !added) return added.failure();
+  }
+  return Done{};
+}
+
+Result<std::vector<Affine>> GltfPrimitives::copies_on(const GltfJson& node) {
+  const GltfJson& attributes = member(extension(node, "EXT_mesh_gpu_instancing"), "attributes");
+  std::optional<std::size_t> count;
+  const auto read = [&](const char* key, std::size_t components) -> Result<GltfValues<float>> {
+    const std::optional<std::size_t> accessor = index_in(attributes, key);
+    if (!accessor) return GltfValues<float>{};
+    Result<GltfValues<float>> values = accessors_.floats(*accessor);
+    if (!values) return values.failure();
+    if (values->components != components || count.value_or(values->count()) != values->count()) {
+      return gltf_damaged(fmt::format("{} of EXT_mesh_gpu_instancing does not fit", key));
+    }
+    count = values->count();
+    return values;
+  };
+  const Result<GltfValues<float>> moves = read("TRANSLATION", 3);
+  if (!moves) return moves.failure();
+  const Result<GltfValues<float>> turns = read("ROTATION", 4);
+  if (!turns) return turns.failure();
+  const Result<GltfValues<float>> scales = read("SCALE", 3);
+  if (!scales) return scales.failure();
+  std::vector<Affine> copies;
+  for (std::size_t i = 0; i < count.value_or(1); ++i) {
+    Placement placement;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (moves->count() > 0) placement.translation[c] = double{moves->at(i)[c]};
+      if (scales->count() > 0) placement.scale[c] = double{scales->at(i)[c]};
+    }
+    Quaternion turn{};
+    for (std::size_t c = 0; turns->count() > 0 && c < 4; ++c) turn[c] = double{turns->at(i)[c]};
+    const double square = turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3];
+    if (std::isfinite(square) && square > 1e-12) placement.rotation = turn;
+    copies.push_back(to_affine(placement));
+  }
+  return copies;
 }
 
 Result<GltfPrimitives::Vertices> GltfPrimitives::read_vertices(const GltfJson& primitive,
@@ -211,7 +264,7 @@ void GltfPrimitives::set_opaque(SourcePrimitive& to) {
 }
 
 Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, const GltfJson& primitive,
-                                                       std::size_t node) {
+                                                       std::size_t node, const Affine& copy) {
   const std::size_t number = index_in(primitive, "mode").value_or(4);
   if (number > 6) return gltf_damaged(fmt::format("a mesh has the mode {}", number));
   const auto mode = static_cast<Mode>(number);
@@ -238,19 +291,22 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
   if (!skin) return skin.failure();
   to.has_skin = !skin->joints.empty();
   to.node = to.has_skin || !skin->at_rest.empty() ? kNoNode : nodes_.mover_of(node);
-  to.mirrored = determinant(skin->modelled) < 0;
+  // A skin's place is that of its joints: it has no copies.
+  const bool has_skin = to.has_skin || !skin->at_rest.empty();
+  const Affine modelled = has_skin ? skin->modelled : skin->modelled * copy;
+  to.mirrored = determinant(modelled) < 0;
   to.morphs = animations_morph_ && count_of(primitive, "targets") > 0;
   const GltfTexcoords texcoords = materials_.texcoords_of(to.material);
   set_alpha(from->colours, to);
   set_opaque(to);
-  const Affine normals_as_modelled = map_of_normals(skin->modelled);
+  const Affine normals_as_modelled = map_of_normals(modelled);
   to.vertices.resize(vertices);
   for (std::size_t i = 0; i < vertices; ++i) {
     SourceVertex& vertex = to.vertices[i];
     const bool at_rest = !skin->at_rest.empty();
-    const Affine& place = at_rest ? skin->at_rest[i] : skin->modelled;
+    const Affine& place = at_rest ? skin->at_rest[i] : modelled;
     const float* const position = from->positions.at(i);
-    vertex.position = as_floats(place * Vector{double{position[0]}, double{position[1]}, double{position[2]}});
+    to.positions.push_back(place * Vector{double{position[0]}, double{position[1]}, double{position[2]}});
     if (from->normals.count() > 0) {
       vertex.normal = turned_normal(at_rest ? map_of_normals(place) : normals_as_modelled, from->normals.at(i));
     }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "import/gltf/accessors.hpp"
 #include "import/gltf/attributes.hpp"
@@ -33,10 +34,15 @@ class GltfPrimitives {
     GltfValues<float> positions, normals, colours, texcoords;
   };
 
-  /// Empty: nothing to draw. The failure's message is a reason, as for the functions below.
   void set_alpha(const GltfValues<float>& colours, SourcePrimitive& to);
   void set_opaque(SourcePrimitive& to);
-  Result<SourcePrimitive> read_primitive(const GltfJson& mesh, const GltfJson& primitive, std::size_t node);
+  /// Adds the primitives of a mesh on a node. `copy`: from the mesh to the node's coordinates.
+  Result<Done> add_mesh(const GltfJson& mesh, std::size_t node, const Affine& copy);
+  /// Returns the places of EXT_mesh_gpu_instancing on a node; one without effect if the node has none.
+  Result<std::vector<Affine>> copies_on(const GltfJson& node);
+  /// Empty: nothing to draw. The failure's message is a reason, as for the functions below.
+  Result<SourcePrimitive> read_primitive(const GltfJson& mesh, const GltfJson& primitive, std::size_t node,
+                                         const Affine& copy);
   Result<Vertices> read_vertices(const GltfJson& primitive, const GltfAttributes& attributes);
   Result<Done> add_morphs(const GltfJson& mesh, const GltfJson& primitive, std::size_t node, Vertices& vertices);
 
@@ -54,6 +60,7 @@ class GltfPrimitives {
   std::map<std::uint32_t, std::uint32_t> opaque_;  ///< opaque copies of materials that blend but have no transparent
                                                    ///< texel
   bool animations_morph_ = false;
+  std::uint64_t invisible_ = 0;     ///< nodes with meshes that the file hides
   std::uint64_t no_texcoords_ = 0;  ///< primitives whose texture has no texture coordinates
 };
 

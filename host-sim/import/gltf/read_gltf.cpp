@@ -29,7 +29,7 @@ Result<SourceModel> read_gltf(const GltfDocument& document, const ReadUri& read_
   GltfAccessors accessors(document, buffers);
   Result<GltfNodes> nodes = GltfNodes::read(json, turn);
   if (!nodes) return unreadable_model(nodes.failure().message);
-  nodes->set_moved(nodes_of_animations(json), turn, model);
+  nodes->set_moved(nodes_of_animations(json, accessors), turn, model);
   if (const Result<Done> read = read_gltf_animations(json, accessors, *nodes, model); !read) {
     return unreadable_model(read.failure().message);
   }

@@ -35,8 +35,9 @@ constexpr std::array kBase{Field{"metallicFactor", Type::number}, Field{"roughne
                            Field{"baseColorFactor", Type::numbers, 4},
                            Field{"baseColorTexture", Type::object, 0, kTextureUse},
                            Field{"metallicRoughnessTexture", Type::object, 0, kTextureUse}};
-constexpr std::array kDiffuse{Field{"diffuseFactor", Type::numbers, 4},
-                              Field{"diffuseTexture", Type::object, 0, kTextureUse}};
+constexpr std::array kDiffuse{
+    Field{"diffuseFactor", Type::numbers, 4}, Field{"diffuseTexture", Type::object, 0, kTextureUse},
+    Field{"specularFactor", Type::numbers, 3}, Field{"specularGlossinessTexture", Type::object, 0, kTextureUse}};
 constexpr std::array kStrength{Field{"emissiveStrength", Type::number}};
 constexpr std::array kIor{Field{"ior", Type::number}};
 constexpr std::array kSpecular{Field{"specularFactor", Type::number}, Field{"specularColorFactor", Type::numbers, 3}};
@@ -91,7 +92,11 @@ constexpr std::array kPrimitive{Field{"attributes", Type::map},
 constexpr std::array kMesh{Field{"name", Type::text}, Field{"primitives", Type::objects, 0, kPrimitive},
                            Field{"weights", Type::numbers}};
 constexpr std::array kLightOfNode{Field{"light", Type::whole}};
-constexpr std::array kNodeExtensions{Field{"KHR_lights_punctual", Type::object, 0, kLightOfNode}};
+constexpr std::array kVisibility{Field{"visible", Type::flag}};
+constexpr std::array kInstancing{Field{"attributes", Type::map}};
+constexpr std::array kNodeExtensions{Field{"KHR_lights_punctual", Type::object, 0, kLightOfNode},
+                                     Field{"KHR_node_visibility", Type::object, 0, kVisibility},
+                                     Field{"EXT_mesh_gpu_instancing", Type::object, 0, kInstancing}};
 constexpr std::array kNode{Field{"name", Type::text},
                            Field{"mesh", Type::whole},
                            Field{"skin", Type::whole},
@@ -104,7 +109,7 @@ constexpr std::array kNode{Field{"name", Type::text},
                            Field{"weights", Type::numbers},
                            Field{"extensions", Type::object, 0, kNodeExtensions}};
 constexpr std::array kScene{Field{"name", Type::text}, Field{"nodes", Type::wholes}};
-constexpr std::array kPerspective{Field{"yfov", Type::number}};
+constexpr std::array kPerspective{Field{"yfov", Type::number}, Field{"znear", Type::number}};
 constexpr std::array kOrthographic{Field{"ymag", Type::number}};
 constexpr std::array kCamera{Field{"name", Type::text}, Field{"type", Type::text},
                              Field{"perspective", Type::object, 0, kPerspective},

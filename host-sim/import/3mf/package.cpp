@@ -1,0 +1,162 @@
+// The parts of a 3MF package that are drawn: objects, their colours, and where they are built.
+#include "import/3mf/package.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "import/3mf/xml_tags.hpp"
+#include "import/read_model.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::string_view kGaps = " \t\r\n";
+
+/// Removes the next number from a text; not a number (NaN) if there is none.
+double take_number(std::string_view& text) {
+  const std::size_t first = text.find_first_not_of(kGaps);
+  text.remove_prefix(first == std::string_view::npos ? text.size() : first);
+  std::string_view word = text.substr(0, text.find_first_of(kGaps));
+  text.remove_prefix(word.size());
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool whole = error == std::errc() && end == word.data() + word.size();
+  return whole ? number : std::numeric_limits<double>::quiet_NaN();
+}
+
+double number_of(const XmlTag& tag, std::string_view key) {
+  const std::string value = tag.value(key);
+  std::string_view text = value;
+  return take_number(text);
+}
+
+/// Returns an integer >= 0; `otherwise` if there is none.
+std::uint32_t index_of(const XmlTag& tag, std::string_view key, std::uint32_t otherwise = kNoProperty) {
+  const double number = number_of(tag, key);
+  return number >= 0 && number < kNoProperty ? static_cast<std::uint32_t>(number) : otherwise;
+}
+
+/// Rows of the transposed matrix: "1 0 0 0 1 0 0 0 1 0 0 0", the translation last.
+Affine place_of(const XmlTag& tag) {
+  Affine place;
+  if (!tag.has("transform")) return place;
+  const std::string value = tag.value("transform");
+  std::string_view text = value;
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) place.m[row][column] = take_number(text);
+  }
+  return place;
+}
+
+/// "#RRGGBB" or "#RRGGBBAA"; white if it is neither.
+std::array<std::uint8_t, 4> colour_of(const XmlTag& tag, std::string_view key) {
+  const std::string text = tag.value(key);
+  std::array<std::uint8_t, 4> colour{255, 255, 255, 255};
+  if ((text.size() != 7 && text.size() != 9) || text[0] != '#') return colour;
+  for (std::size_t i = 0; 2 * i + 2 < text.size(); ++i) {
+    const char* const digits = text.data() + 1 + 2 * i;
+    std::from_chars(digits, digits + 2, colour[i], 16);
+  }
+  return colour;
+}
+
+/// Fills a part, tag by tag.
+class PartReader {
+ public:
+  void read(const XmlTag& tag);
+  bool is_too_large() const { return triangles_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles; }
+  PrintPart& part() { return part_; }
+
+ private:
+  void begin_object(const XmlTag& tag);
+  void add_triangle(const XmlTag& tag);
+  void add_use(const XmlTag& tag, std::vector<PrintUse>& to) const;
+  void begin_group(const XmlTag& tag, PrintGroupKind kind);
+
+  PrintPart part_;
+  PrintObject* object_ = nullptr;
+  PrintGroup* group_ = nullptr;
+  std::uint32_t of_object_ = kNoProperty, index_of_object_ = 0;
+  std::uint64_t vertices_ = 0, triangles_ = 0;
+};
+
+void PartReader::begin_object(const XmlTag& tag) {
+  object_ = &part_.objects[index_of(tag, "id")];
+  of_object_ = index_of(tag, "pid");
+  index_of_object_ = index_of(tag, "pindex", 0);
+}
+
+void PartReader::add_triangle(const XmlTag& tag) {
+  PrintTriangle& triangle = object_->triangles.emplace_back();
+  triangle.corners = {index_of(tag, "v1"), index_of(tag, "v2"), index_of(tag, "v3")};
+  const bool has_own = tag.has("p1") || tag.has("pid");
+  triangle.group = index_of(tag, "pid", of_object_);
+  const std::uint32_t first = index_of(tag, "p1", has_own ? 0 : index_of_object_);
+  triangle.properties = {first, index_of(tag, "p2", first), index_of(tag, "p3", first)};
+  ++triangles_;
+  if (tag.has("paint_color") || tag.has("mmu_segmentation")) part_.is_painted = true;
+}
+
+void PartReader::add_use(const XmlTag& tag, std::vector<PrintUse>& to) const {
+  to.push_back({tag.value("path"), index_of(tag, "objectid"), place_of(tag)});
+}
+
+void PartReader::begin_group(const XmlTag& tag, PrintGroupKind kind) {
+  group_ = &part_.groups[index_of(tag, "id")];
+  group_->kind = kind;
+  group_->texture = index_of(tag, "texid");
+}
+
+void PartReader::read(const XmlTag& tag) {
+  if (!tag.begins) {
+    if (tag.name == "object") object_ = nullptr;
+    return;
+  }
+  if (tag.name == "object") {
+    begin_object(tag);
+  } else if (tag.name == "vertex" && object_ != nullptr) {
+    object_->vertices.push_back({number_of(tag, "x"), number_of(tag, "y"), number_of(tag, "z")});
+    ++vertices_;
+  } else if (tag.name == "triangle" && object_ != nullptr) {
+    add_triangle(tag);
+  } else if (tag.name == "component" && object_ != nullptr) {
+    add_use(tag, object_->components);
+  } else if (tag.name == "item") {
+    add_use(tag, part_.built);
+  } else if (tag.name == "basematerials") {
+    begin_group(tag, PrintGroupKind::materials);
+  } else if (tag.name == "colorgroup") {
+    begin_group(tag, PrintGroupKind::colours);
+  } else if (tag.name == "texture2dgroup") {
+    begin_group(tag, PrintGroupKind::texture);
+  } else if (tag.name == "base" && group_ != nullptr) {
+    group_->names.push_back(tag.value("name"));
+    group_->colours.push_back(colour_of(tag, "displaycolor"));
+  } else if (tag.name == "color" && group_ != nullptr) {
+    group_->colours.push_back(colour_of(tag, "color"));
+  } else if (tag.name == "tex2coord" && group_ != nullptr) {
+    group_->texcoords.push_back({number_of(tag, "u"), number_of(tag, "v")});
+  } else if (tag.name == "texture2d") {
+    part_.textures[index_of(tag, "id")] = tag.value("path");
+  }
+}
+
+}  // namespace
+
+Result<PrintPart> read_print_part(std::string_view xml) {
+  XmlTags tags(xml);
+  PartReader reader;
+  bool is_model = false;
+  while (const std::optional<XmlTag> tag = tags.next()) {
+    if (tag->name == "model") is_model = true;
+    reader.read(*tag);
+    if (reader.is_too_large()) return Failure{ExitStatus::input, "it has too many triangles; simplify the model"};
+  }
+  if (!is_model) return Failure{ExitStatus::input, "a part of it is no model of 3MF"};
+  return std::move(reader.part());
+}
+
+}  // namespace zstrip::sim

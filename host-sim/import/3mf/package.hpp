@@ -1,0 +1,62 @@
+// The parts of a 3MF package that are drawn: objects, their colours, and where they are built.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/affine.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+inline constexpr std::uint32_t kNoProperty = 0xFFFFFFFF;
+
+/// A triangle, with a property group of its part and an index in that for each corner.
+struct PrintTriangle {
+  std::array<std::uint32_t, 3> corners{};
+  std::uint32_t group = kNoProperty;
+  std::array<std::uint32_t, 3> properties{};
+};
+
+/// Another object in an object, or an object that is built.
+struct PrintUse {
+  std::string part;  ///< empty: the part that has the use
+  std::uint32_t object = 0;
+  Affine place;
+};
+
+struct PrintObject {
+  std::vector<Vector> vertices;
+  std::vector<PrintTriangle> triangles;
+  std::vector<PrintUse> components;
+};
+
+enum class PrintGroupKind : std::uint8_t { materials, colours, texture };
+
+/// Properties that triangles refer to by index.
+struct PrintGroup {
+  PrintGroupKind kind = PrintGroupKind::colours;
+  std::vector<std::string> names;                    ///< of materials
+  std::vector<std::array<std::uint8_t, 4>> colours;  ///< of materials and colours
+  std::vector<std::array<double, 2>> texcoords;      ///< of a texture; v grows upwards
+  std::uint32_t texture = kNoProperty;               ///< in PrintPart::textures
+};
+
+/// A .model file of the package.
+struct PrintPart {
+  std::map<std::uint32_t, PrintObject> objects;
+  std::map<std::uint32_t, PrintGroup> groups;
+  std::map<std::uint32_t, std::string> textures;  ///< paths in the package
+  std::vector<PrintUse> built;
+  bool is_painted = false;  ///< a slicer's colours, which are no part of 3MF
+};
+
+/// Reads the text of a .model file. The failure's message is a reason.
+Result<PrintPart> read_print_part(std::string_view xml);
+
+}  // namespace zstrip::sim

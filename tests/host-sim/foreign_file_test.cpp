@@ -1,0 +1,56 @@
+// Files that are no models are named as what they are.
+#include <string>
+
+#include "import/foreign_file.hpp"
+#include "import_fixture.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+TEST_F(Import, FilesThatAreNoModelsAreNamedAsWhatTheyAre) {
+  const std::string zeros(64, '\0');
+  const std::string fbx = std::string("Kaydara FBX Binary  \0\x1A\0", 23) + std::string("\xD4\x17\0\0", 4) + zeros;
+  const struct {
+    std::string name, content, words;
+  } cases[] = {
+      {"a.glb", "<!DOCTYPE html>\n<html><body>SECRET</body></html>", "is a web page"},
+      {"a.obj", "\n <html lang='en'>SECRET", "is a web page"},
+      {"a.stl", "<?xml version='1.0'?><!DOCTYPE HTML PUBLIC 'x'><html>", "is a web page"},
+      {"a.gltf", "PK\3\4" + zeros, "is a zip archive; unpack it first"},
+      {"a.glb", "\x1F\x8B\x08" + zeros, "is packed by gzip; unpack it first"},
+      {"a.blend", "\x28\xB5\x2F\xFD" + zeros, "save it in Blender without compression"},
+      {"a.ply", "Rar!\x1A\x07" + zeros, "is a RAR archive"},
+      {"a.3ds", "7z\xBC\xAF\x27\x1C" + zeros, "is a 7z archive"},
+      {"a.fbx", "; FBX 6.1.0 project file\nFBXHeaderExtension: {\n FBXVersion: 6100\n}\n", "is FBX 6.1"},
+      {"a.fbx", fbx, "is FBX 6.1"},
+      {"a.obj", "\x89PNG\r\n\x1A\n" + zeros, "is a picture (PNG)"},
+      {"a.dae", "\xFF\xD8\xFF\xE0" + zeros, "is a picture (JPEG)"},
+      {"a.glb", zeros, "holds only zeros"},
+      {"a.glb", "", "is empty"},
+      {"a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:1\n", "is a Git LFS pointer"},
+  };
+  for (const auto& [name, content, words] : cases) {
+    const std::string said = failure(file(name, content));
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+    EXPECT_EQ(said.find("SECRET"), std::string::npos) << said;
+  }
+}
+
+TEST_F(Import, ModelsAreNotTakenForOtherFiles) {
+  EXPECT_FALSE(foreign_kind("PK\3\4", ".3mf"));
+  EXPECT_FALSE(foreign_kind("PK\3\4", ".zae"));
+  EXPECT_FALSE(foreign_kind("\x1F\x8B", ".blend"));
+  EXPECT_FALSE(foreign_kind("<?xml version='1.0'?><COLLADA>", ".dae"));
+  EXPECT_FALSE(foreign_kind("<?xml version='1.0'?><!DOCTYPE X3D><X3D><head></head></X3D>", ".x3d"));
+  EXPECT_FALSE(foreign_kind("# <html>\nv 0 0 0\n", ".obj"));
+  EXPECT_FALSE(foreign_kind("; FBX 7.3.0\nFBXVersion: 7300", ".fbx"));
+}
+
+TEST_F(Import, ReasonsOfReadersDoNotQuoteTheFile) {
+  const std::string said = failure(file("a.dae", "<COLLADA version=\"1.4.1\"><asset><SECRET"));
+  EXPECT_EQ(said.find("SECRET"), std::string::npos) << said;
+  EXPECT_NE(said.find("is no readable model"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
