@@ -5,9 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "image/decode.hpp"
 #include "import/assimp/linear_colours.hpp"
@@ -42,6 +47,31 @@ TextureWrap wrap_of(const aiMaterial& from, const char* key, unsigned type, unsi
   return mode == aiTextureMapMode_Wrap ? TextureWrap::repeat : TextureWrap::clamp;
 }
 
+/// Maps of materials that are not drawn, by the words of the warning. Those of MTL have warnings of their own.
+struct UndrawnMap {
+  aiTextureType type;
+  const char* name;
+};
+constexpr std::array<UndrawnMap, 7> kUndrawnMaps{{{aiTextureType_NORMALS, "normal maps"},
+                                                  {aiTextureType_NORMAL_CAMERA, "normal maps"},
+                                                  {aiTextureType_HEIGHT, "bump maps"},
+                                                  {aiTextureType_LIGHTMAP, "light and occlusion maps"},
+                                                  {aiTextureType_AMBIENT_OCCLUSION, "light and occlusion maps"},
+                                                  {aiTextureType_EMISSIVE, "emission maps"},
+                                                  {aiTextureType_OPACITY, "opacity maps"}}};
+
+void warn_of_maps(const aiScene& scene, std::vector<std::string>& warnings) {
+  std::set<std::string_view> names;
+  for (const aiMaterial* material : std::span(scene.mMaterials, scene.mNumMaterials)) {
+    for (const UndrawnMap& map : kUndrawnMaps) {
+      if (material->GetTextureCount(map.type) > 0) names.insert(map.name);
+    }
+  }
+  std::string list;
+  for (const std::string_view name : names) list += fmt::format("{}{}", list.empty() ? "" : ", ", name);
+  if (!list.empty()) warnings.push_back("drawn without: " + list);
+}
+
 }  // namespace
 
 MaterialReader::MaterialReader(const aiScene& scene, const std::filesystem::path& path, SourceModel& model)
@@ -53,6 +83,7 @@ void MaterialReader::read_all() {
     model_.materials.push_back(read(*material, texcoord_set));
     texcoord_sets_.push_back(texcoord_set);
   }
+  warn_of_maps(scene_, model_.warnings);
 }
 
 SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_set) {
