@@ -15,6 +15,18 @@ void ShadowState::decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32
   if (!read && status) status = {.error = read.error, .purpose = Purpose::effects, .needed = read.needed};
 }
 
+bool ShadowState::hidden_beside(std::int32_t across, std::int32_t down, const MapDepth& point, Status& status) {
+  const auto beside = [this](std::int32_t texels) {
+    return (texels >> place.texel_bits) + ((texels >> (place.texel_bits - 1) & 1) != 0 ? 1 : -1);
+  };
+  const auto hidden_at = [&](std::int32_t column, std::int32_t row) {
+    const std::uint32_t caster = caster_at(column, row, status);
+    return caster != 0 && distance_to(caster, point) > 0;
+  };
+  const std::int32_t column = across >> place.texel_bits, row = down >> place.texel_bits;
+  return hidden_at(beside(across), row) && hidden_at(column, beside(down)) && hidden_at(beside(across), beside(down));
+}
+
 }  // namespace zstrip::detail
 
 namespace zstrip::detail::shadows {

@@ -49,27 +49,32 @@ struct ShadowState {
   /// True if a caster lies between a point and the light. If the caster is far from the point, the nearest texel
   /// decides. If it is close, and so may be the point's own surface, all four texels around the point must hide it: on
   /// a plane, or on a surface that bulges towards the light, at least one of them is not nearer than the point.
-  bool hides(const MapPoint& at, Status& status) {
-    const std::int32_t column = at.column >> place.texel_bits, row = at.row >> place.texel_bits;
-    const std::int32_t distance = distance_to(column, row, at, status);
+  template <class Point>
+  bool hides(const Point& at, Status& status) {
+    const std::int32_t across = at.column(), down = at.row();
+    const std::int32_t column = across >> place.texel_bits, row = down >> place.texel_bits;
+    const std::uint32_t nearest = caster_at(column, row, status);
+    if (nearest == 0) return false;
+    const MapDepth depth = at.depth();
+    const std::int32_t distance = distance_to(nearest, depth);
     if (distance <= 0 || distance > place.contact) return distance > 0;
-    const auto beside = [this](std::int32_t texels) { return (texels >> (place.texel_bits - 1) & 1) != 0 ? 1 : -1; };
-    const std::int32_t other_column = column + beside(at.column), other_row = row + beside(at.row);
-    return distance_to(other_column, row, at, status) > 0 && distance_to(column, other_row, at, status) > 0 &&
-           distance_to(other_column, other_row, at, status) > 0;
+    return hidden_beside(across, down, depth, status);
   }
 
  private:
-  /// Returns the distance from a point to the caster at a texel, towards the light, in units of MapPoint::code; 0 if
-  /// there is no such caster.
-  std::int32_t distance_to(std::int32_t column, std::int32_t row, const MapPoint& at, Status& status) {
+  /// Returns the code of the caster at a texel, 0 if there is none.
+  std::uint32_t caster_at(std::int32_t column, std::int32_t row, Status& status) {
     const auto side = static_cast<std::int32_t>(store.grid().width);
     if (column < 0 || row < 0 || column >= side || row >= side) return 0;
-    const std::uint32_t caster = code_at(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), status);
-    if (caster == 0) return 0;
-    const std::uint32_t code = place.code_bits >= 0 ? caster << place.code_bits : caster >> -place.code_bits;
-    return static_cast<std::int32_t>(code) - at.code - at.doubt;
+    return code_at(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), status);
   }
+  /// Returns the distance from a point to a caster, towards the light, in units of MapDepth::code.
+  std::int32_t distance_to(std::uint32_t caster, const MapDepth& point) const {
+    const std::uint32_t code = place.code_bits >= 0 ? caster << place.code_bits : caster >> -place.code_bits;
+    return static_cast<std::int32_t>(code) - point.code - point.doubt;
+  }
+  /// True if casters at the other three of the four texels around a point hide it. A call, as few points come here.
+  bool hidden_beside(std::int32_t across, std::int32_t down, const MapDepth& point, Status& status);
   void decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32_t ty, Status& status);
 };
 static_assert(sizeof(ShadowState) <= shadows::Effect::kStateBytes);

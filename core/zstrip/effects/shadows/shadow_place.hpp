@@ -49,10 +49,9 @@ struct MapForm {
   }
 };
 
-/// A point of the map, which may lie outside it: column and row in texels, floor(value / 2^texel_bits); depth code with
-/// code_bits, which may be negative, with half a code added as at vertices.
-struct MapPoint {
-  std::int32_t column, row, code;
+/// The depth of a point in the map: code with code_bits, which may be negative, with half a code added as at vertices.
+struct MapDepth {
+  std::int32_t code;
   std::int32_t doubt;  ///< half a code of the picture's depth, in units of `code`
 };
 
@@ -65,36 +64,66 @@ struct ShadowPlace {
   std::int64_t depth_offset;  ///< DepthFit::offset, perspective only
   std::int32_t doubt;         ///< orthographic only
   std::int32_t texel_bits, code_bits;
-  std::int32_t contact;  ///< depth of kContactTexels texels, in units of MapPoint::code
+  std::int32_t contact;  ///< depth of kContactTexels texels, in units of MapDepth::code
+};
 
-  /// Returns the map's point for the depth of a covered cell at raster pixel (x, y).
-  template <bool orthographic, DepthFormat format>
-  MapPoint at(std::int32_t x, std::int32_t y, std::uint32_t depth) const {
-    if constexpr (orthographic) {
-      const auto value = [&](const MapForm& form) {
-        return form.at(x, y) + multiply_high(form.per_depth, static_cast<std::int32_t>(depth >> 1));
-      };
-      return {value(column), value(row), value(code), doubt};
-    } else {
-      const auto q = static_cast<std::uint64_t>(std::int64_t{depth} + depth_offset);
-      const int zeros = std::countl_zero(q | 1);
-      const std::int32_t inverse = reciprocal(static_cast<std::uint32_t>((q << zeros) >> 32) | 0x80000000U);
-      const auto relative = [&](const MapForm& form) {
-        return multiply_high(form.at(x, y), inverse) >> std::clamp<std::int32_t>(form.shift - zeros, 0, 31);
-      };
-      const std::int32_t deeper = relative(code);
-      // The share of half a code in q, 0.32.
-      int share_shift = 62 - kLog2HalfCode<format> - zeros;
-      // Codes of the small float are wider in higher octaves, and never less than 2^-15 of q.
-      if constexpr (format == DepthFormat::float16) share_shift = std::min<std::int32_t>(share_shift, 13);
-      const std::uint32_t share = share_shift < 0    ? 0x7FFFFFFFU
-                                  : share_shift < 32 ? static_cast<std::uint32_t>(inverse) >> share_shift
-                                                     : 0;
-      const auto magnitude = static_cast<std::uint32_t>(deeper < 0 ? -deeper : deeper);
-      return {column.offset + relative(column), row.offset + relative(row), code.offset + deeper,
-              static_cast<std::int32_t>(multiply_high(magnitude, share))};
-    }
+/// A covered cell's point in the map, which may lie outside of it. Its coordinates are computed one by one: where no
+/// caster lies at its column and row, its depth is not needed.
+template <bool orthographic, DepthFormat format>
+class MapPoint;
+
+template <DepthFormat format>
+class MapPoint<true, format> {
+ public:
+  MapPoint(const ShadowPlace& place, std::int32_t x, std::int32_t y, std::uint32_t depth)
+      : place_(place), x_(x), y_(y), half_depth_(static_cast<std::int32_t>(depth >> 1)) {}
+
+  /// In texels, floor(value / 2^texel_bits), as row().
+  std::int32_t column() const { return along(place_.column); }
+  std::int32_t row() const { return along(place_.row); }
+  MapDepth depth() const { return {along(place_.code), place_.doubt}; }
+
+ private:
+  std::int32_t along(const MapForm& form) const { return form.at(x_, y_) + multiply_high(form.per_depth, half_depth_); }
+
+  const ShadowPlace& place_;
+  std::int32_t x_, y_, half_depth_;
+};
+
+template <DepthFormat format>
+class MapPoint<false, format> {
+ public:
+  MapPoint(const ShadowPlace& place, std::int32_t x, std::int32_t y, std::uint32_t depth)
+      : place_(place), x_(x), y_(y) {
+    const auto q = static_cast<std::uint64_t>(std::int64_t{depth} + place.depth_offset);
+    zeros_ = std::countl_zero(q | 1);
+    inverse_ = reciprocal(static_cast<std::uint32_t>((q << zeros_) >> 32) | 0x80000000U);
   }
+
+  std::int32_t column() const { return place_.column.offset + along(place_.column); }
+  std::int32_t row() const { return place_.row.offset + along(place_.row); }
+  MapDepth depth() const {
+    const std::int32_t deeper = along(place_.code);
+    // The share of half a code in q, 0.32.
+    int share_shift = 62 - kLog2HalfCode<format> - zeros_;
+    // Codes of the small float are wider in higher octaves, and never less than 2^-15 of q.
+    if constexpr (format == DepthFormat::float16) share_shift = std::min<std::int32_t>(share_shift, 13);
+    const std::uint32_t share = share_shift < 0    ? 0x7FFFFFFFU
+                                : share_shift < 32 ? static_cast<std::uint32_t>(inverse_) >> share_shift
+                                                   : 0;
+    const auto magnitude = static_cast<std::uint32_t>(deeper < 0 ? -deeper : deeper);
+    return {place_.code.offset + deeper, static_cast<std::int32_t>(multiply_high(magnitude, share))};
+  }
+
+ private:
+  std::int32_t along(const MapForm& form) const {
+    return multiply_high(form.at(x_, y_), inverse_) >> std::clamp<std::int32_t>(form.shift - zeros_, 0, 31);
+  }
+
+  const ShadowPlace& place_;
+  std::int32_t x_, y_;
+  int zeros_;             ///< leading zeros of q
+  std::int32_t inverse_;  ///< reciprocal of its first 32 bits
 };
 
 struct LightPicture {

@@ -185,8 +185,8 @@ struct Stage : NoStage {
           *cell = static_cast<Cell>(-1);
           if (code == 0) continue;
           if constexpr (effects.has(effect::statistics)) ++target.statistics->work[WorkKind::shadow_samples];
-          const MapPoint at =
-              state.place.template at<effects.has(effect::orthographic), kFormat>(x, y, depth_of_code<kFormat>(code));
+          const MapPoint<effects.has(effect::orthographic), kFormat> at(state.place, x, y,
+                                                                        depth_of_code<kFormat>(code));
           if (!state.hides(at, status)) continue;
           *cell = 0;
           shadowed = {std::min(shadowed.left, x), std::min(shadowed.top, y), std::max(shadowed.right, x + 1),
