@@ -52,7 +52,7 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     174,       // lit_texels
     680 * 8,   // lit_fragments
     54 * 8,    // masked
-    280,       // fogged
+    330,       // fogged
     404,       // blended
     150 * 8,   // dithered
     60 * 8,    // lit_vertices
@@ -61,7 +61,7 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     328 * 8,   // mirroring_vertices
     3794 * 8,  // clips
     95 * 8,    // cells_of_shadow_map
-    145 * 8,   // shadow_samples
+    137 * 8,   // shadow_samples
     118 * 8,   // hull_vertices
     0,         // vertices_again, which are counted as vertices
     550 * 8,   // triangles_again, as no kernel draws those of the map
