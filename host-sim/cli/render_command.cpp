@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -45,6 +46,7 @@ struct RenderCommandLine {
   std::optional<std::uint32_t> threads;
   std::optional<std::string> image;
   std::optional<std::string> json;
+  std::optional<std::string> pick;
   bool quiet = false;
 };
 
@@ -53,12 +55,25 @@ struct Job {
   OutputNames outputs;
   std::string report;  ///< the argument of --json, or empty
   unsigned threads = 1;
+  std::optional<PixelPlace> pick;
 };
 
 /// Returns the format of the written picture: that of the panel's glass, of the strips, or of --show.
 PixelFormat shown_format(const Drawing& drawing) {
   if (drawing.visibility.show != Show::colour) return PixelFormat::rgb565;
   return drawing.panel ? PixelFormat::xrgb8888 : drawing.view.format;
+}
+
+/// Parses "120,80".
+Result<PixelPlace> parse_place(const std::string& text) {
+  PixelPlace place;
+  const char* const end = text.data() + text.size();
+  const auto x = std::from_chars(text.data(), end, place.x);
+  if (x.ec == std::errc() && x.ptr != end && *x.ptr == ',') {
+    const auto y = std::from_chars(x.ptr + 1, end, place.y);
+    if (y.ec == std::errc() && y.ptr == end) return place;
+  }
+  return usage(fmt::format("--pick '{}' is not a pixel X,Y, for example 120,80", printable(text)));
 }
 
 Result<Job> parse(const RenderCommandLine& arguments) {
@@ -79,7 +94,15 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   if (const Result<Done> distinct = check_distinct(*outputs, arguments.json); !distinct) return distinct.failure();
   const unsigned threads =
       arguments.threads ? *arguments.threads : std::clamp(std::thread::hardware_concurrency(), 1U, kMaxThreads);
-  return Job{std::move(*drawing), std::move(*outputs), arguments.json.value_or(""), threads};
+  std::optional<PixelPlace> pick;
+  if (arguments.pick) {
+    const Result<PixelPlace> parsed = parse_place(*arguments.pick);
+    if (!parsed) return parsed.failure();
+    if (drawing->visibility.method.methods != 0)
+      return usage("--pick finds what the z-buffer shows; leave out --visibility");
+    pick = *parsed;
+  }
+  return Job{std::move(*drawing), std::move(*outputs), arguments.json.value_or(""), threads, pick};
 }
 
 /// Returns the reason why nothing of the scene is visible, or nearly nothing of a model; empty if it is visible.
@@ -132,6 +155,13 @@ using Picture = std::vector<std::uint8_t>;
 Result<FrameRecord> render_frame(SceneDrawer& drawer, const Job& job, std::uint32_t frame, std::vector<Picture>& kept) {
   const Result<Staging> staging = drawer.stage().place(frame, job.outputs.frames);
   if (!staging) return staging.failure();
+  std::optional<PickedPixel> picked;
+  if (job.pick) {
+    Result<PickedPixel> found =
+        pick_pixel(*staging, drawer.stage().origins(), job.drawing.view, job.drawing.effects(), *job.pick);
+    if (!found) return found.failure();
+    picked = std::move(*found);
+  }
   const Result<DrawnFrame> drawn = drawer.draw(*staging, job.drawing.visibility.show);
   if (!drawn) return drawn.failure();
   Result<Picture> picture = drawer.encoded(job.outputs.type, *drawn);
@@ -145,7 +175,7 @@ Result<FrameRecord> render_frame(SceneDrawer& drawer, const Job& job, std::uint3
   } else if (const Result<Done> written = write_file(file, *picture, "-o"); !written) {
     return written.failure();
   }
-  FrameRecord record{file.string(), drawn->report, drawn->bus, {}, {}};
+  FrameRecord record{file.string(), drawn->report, drawn->bus, {}, {}, std::move(picked)};
   if (drawn->heat) record.heat = drawn->heat->figures;
   if (job.drawing.visibility.show == Show::error) record.wrong = drawn->shown->wrong;
   return record;
@@ -262,6 +292,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->transform(lower_case())
       ->type_name("TYPE");
   command->add_option("--json", a.json, "Write a report of each frame; - is standard output")->type_name("FILE|-");
+  command->add_option("--pick", a.pick, "Say which instance, triangle and place in its texture pixel X,Y shows")
+      ->type_name("X,Y");
   command->add_flag("--quiet", a.quiet, "No summary, no progress; warnings and errors remain");
   command->footer(
       "Examples:\n"
@@ -274,7 +306,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw\n"
       "  zstrip render teapot -o panel.png --panel st7789 --bus spi@40MHz --rotation 90\n"
       "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz --dither\n"
-      "  zstrip render teapot -o smooth.png --samples 4");
+      "  zstrip render teapot -o smooth.png --samples 4\n"
+      "  zstrip render room --size 320x240 --pick 160,120");
   command->callback([arguments, &exit_code] { exit_code = run_render(*arguments); });
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "accuracy/heat_map.hpp"
+#include "render/pick_pixel.hpp"
 #include "render/render_frame.hpp"
 #include "zstrip/view.hpp"
 
@@ -24,6 +25,7 @@ struct FrameRecord {
   BusUse bus{};                          ///< where there is a panel
   std::optional<std::uint32_t> wrong{};  ///< pixels that the judge of visibility finds wrong, where it was used
   std::optional<HeatFigures> heat{};     ///< against the truth, where that was drawn
+  std::optional<PickedPixel> picked{};   ///< of --pick
 };
 
 /// The panel of a run, in words.

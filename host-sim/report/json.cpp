@@ -15,6 +15,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json picked_json(const PickedPixel& pixel) {
+  constexpr const char* kNames[] = {"background", "instance", "outline", "quadric", "line", "sprite", "label"};
+  const Picked& picked = pixel.picked;
+  Json object{{"x", pixel.place.x}, {"y", pixel.place.y}, {"shown", kNames[static_cast<std::size_t>(picked.shown)]}};
+  if (picked.shown == Shown::background) return object;
+  object["index"] = picked.index;
+  if (picked.shown <= Shown::outline || picked.shown == Shown::line) object["triangle"] = picked.triangle;
+  if (!pixel.material.empty()) object["material"] = pixel.material;
+  if (picked.textured) object["texture"] = {picked.u / 65536.0, picked.v / 65536.0};
+  return object;
+}
+
 Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
   const FrameReport& report = frame.report;
   const Plan& plan = report.plan;
@@ -46,6 +58,7 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
   if (has_panel) object["bus"] = {{"bytes", frame.bus.bytes}, {"time_ns", frame.bus.nanoseconds}};
   if (frame.wrong) object["wrong_pixels"] = *frame.wrong;
   if (frame.heat) object["accuracy"] = heat_json(*frame.heat);
+  if (frame.picked) object["picked"] = picked_json(*frame.picked);
   if (report.method.methods == 0) return object;
   const VisibilityStatistics& counts = report.visibility;
   object["ram_bytes"]["visibility"] = plan.visibility_bytes;

@@ -92,6 +92,12 @@ std::string summary(const RunRecord& run) {
     text += fmt::format("  wrong      {}\n", counted(wrong, "pixel"));
   }
   if (run.frames.front().heat) text += fmt::format("  differs    {}\n", heat_words(run));
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    if (!run.frames[i].picked) continue;
+    const PickedPixel& pixel = *run.frames[i].picked;
+    text += fmt::format("  picked     {}{},{}: {}\n", run.frames.size() > 1 ? fmt::format("frame {}, ", i + 1) : "",
+                        pixel.place.x, pixel.place.y, words_of(pixel));
+  }
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);
   if (run.panel) text += fmt::format("  panel      {}\n", panel(run));
   text += run.frames.front().file == run.frames.back().file

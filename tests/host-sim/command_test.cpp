@@ -63,6 +63,44 @@ TEST_F(Command, WarningsAreSaidOnceWhereARarePipelineDraws) {
   EXPECT_EQ(rare.err, common.err);
 }
 
+TEST_F(Command, PicksWhatAPixelShows) {
+  std::ofstream(path("two.obj")) << "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\n";
+  const auto picked = [this](const std::string& place) {
+    const Outcome outcome =
+        zstrip({"render", "two.obj", "-o", "p.png", "--size", "100x100", "--quiet", "--json", "-", "--pick", place});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out).at("frames")[0].at("picked");
+  };
+  EXPECT_EQ(picked("0,0"), nlohmann::json({{"x", 0}, {"y", 0}, {"shown", "background"}}));
+  const nlohmann::json lower = picked("70,70"), upper = picked("30,30");
+  EXPECT_EQ(lower.at("shown"), "instance");
+  EXPECT_EQ(lower.at("index"), upper.at("index"));
+  EXPECT_EQ(lower.at("triangle"), 0);
+  EXPECT_EQ(upper.at("triangle"), 1);
+  const Outcome words = zstrip({"render", "room", "-o", "p.png", "--size", "160x120", "--pick", "80,60"});
+  EXPECT_NE(words.out.find("  picked     80,60: instance "), std::string::npos) << words.out;
+  EXPECT_NE(words.out.find(", texture 0."), std::string::npos) << words.out;
+}
+
+TEST_F(Command, APickThatCannotBeIsAUsageErrorAndWritesNothing) {
+  for (const auto& [options, words] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--pick", "7"}, "is not a pixel X,Y"},
+           {{"--pick", "7,"}, "is not a pixel X,Y"},
+           {{"--pick", "7,8,9"}, "is not a pixel X,Y"},
+           {{"--pick", "-1,8"}, "is not a pixel X,Y"},
+           {{"--pick", "70000,8"}, "is not a pixel X,Y"},
+           {{"--pick", "80,8", "--size", "80x60"}, "outside of the picture"},
+           {{"--pick", "8,8", "--depth-format", "z24"}, "--pick needs --depth-format z16"},
+           {{"--pick", "8,8", "--visibility", "painter"}, "leave out --visibility"}}) {
+    std::vector<std::string> arguments{"render", "knot", "-o", "none.png"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 2) << options[1];
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("none.png")));
+}
+
 TEST_F(Command, Version) {
   const Outcome version = zstrip({"--version"});
   EXPECT_EQ(version.status, 0);
