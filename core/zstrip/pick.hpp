@@ -11,7 +11,7 @@ namespace zstrip {
 /// Finds what pixel (x, y) of the frame that a renderer with `effects` has begun shows: the surface that was drawn
 /// there last. Coverage, clipping, depth test, and texels that a mask discards are those of the picture, because the
 /// same code draws this one pixel. With several samples a pixel it is the sample to the lower right of the pixel's
-/// centre; with effect::edges the surface at the pixel's centre. What is blended with an alpha of 0 is not shown.
+/// centre; with effect::edges the surface at the pixel's centre. A surface that blends with alpha 0 is not shown.
 ///
 /// Call it after begin_frame, before or after any draw_strip; scene and arena must be those of the frame. Later
 /// draw_strip calls draw what they would have drawn. It transforms the meshlets that touch the pixel's strip, or in

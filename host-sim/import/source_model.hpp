@@ -57,6 +57,9 @@ struct SourceJoint {
 
 inline constexpr std::uint32_t kNoSourceTexture = 0xFFFFFFFF;
 
+/// The grey of models whose files have no colours. Assimp's own is darker.
+inline constexpr std::array<std::uint8_t, 3> kDefaultColour{204, 204, 204};
+
 /// The continuation of a texture beyond its borders, along one axis.
 enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
 

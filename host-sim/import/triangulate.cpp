@@ -43,7 +43,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vector> po
   while (left.size() > 3) {
     const std::size_t count = left.size();
     const std::size_t before = (at + count - 1) % count, after = (at + 1) % count;
-    // Where none is left, the polygon crosses itself or has no area.
+    // A polygon without an ear crosses itself or has no area: any corner is cut off.
     if (tried >= count || is_ear(left[before], left[at], left[after])) {
       triangles.push_back({left[before], left[at], left[after]});
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));

@@ -52,7 +52,7 @@ class IdScene {
   IdScene& operator=(const IdScene&) = delete;
 
   const Scene& scene() const { return scene_; }
-  /// What a pixel of the scene's picture shows, without texture coordinates.
+  /// Returns the surface that a pixel of the scene's picture shows, without texture coordinates.
   Picked shown_by(std::uint16_t pixel) const {
     return pixel == 0 ? Picked{} : shown_.at(static_cast<std::size_t>(pixel / kStep - 1));
   }

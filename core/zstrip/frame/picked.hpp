@@ -1,4 +1,4 @@
-// What a pixel shows: the result of pick.
+// The result of pick: the surface that a pixel shows.
 #pragma once
 
 #include <cstdint>

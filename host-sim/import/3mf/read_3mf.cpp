@@ -26,9 +26,6 @@
 namespace zstrip::sim {
 namespace {
 
-/// As that of other formats without colours.
-constexpr std::array<std::uint8_t, 3> kDefaultColour{204, 204, 204};
-
 /// The path of the first part, of which the relations of the package tell.
 std::string path_of_root(ZipArchive& archive) {
   const Result<std::string> relations = archive.read("_rels/.rels");
@@ -50,7 +47,7 @@ class PackageReader {
   SourceModel& model() { return model_; }
 
  private:
-  /// Where the property of a triangle is found.
+  /// Finds the property of a triangle: path of the part, number of the group, index in it.
   using Key = std::tuple<std::string, std::uint32_t, std::uint32_t>;
 
   /// Returns the part of a path, read once.

@@ -23,9 +23,6 @@
 namespace zstrip::sim {
 namespace {
 
-/// The colour of files without materials; Assimp's own default is darker.
-constexpr std::array<std::uint8_t, 3> kDefaultColour{204, 204, 204};
-
 Result<RgbImage> decode_embedded(const aiTexture& texture) {
   if (texture.mHeight == 0) {  // a complete picture file of mWidth bytes
     return decode_image({reinterpret_cast<const std::uint8_t*>(texture.pcData), texture.mWidth});

@@ -230,7 +230,7 @@ Result<Done> PlyReader::read_faces(const PlyElement& element) {
   }
   const std::size_t texcoords = element.find({"texcoord"});
   const bool has_own = texcoords < element.properties.size() && element.properties[texcoords].is_list;
-  // Those of vertices are finer.
+  // Colours of vertices, where a file has both, are finer.
   const std::optional<ColourPlace> place = part_.has_colours ? std::nullopt : ColourPlace::find(element);
   if (place) part_.has_colours = true;
   if (has_own) has_texcoords_ = true;

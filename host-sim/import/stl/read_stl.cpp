@@ -23,7 +23,6 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 84, kFacetBytes = 50;  // the header ends with the number of triangles
-constexpr std::array<std::uint8_t, 3> kDefaultColour{204, 204, 204};
 
 using Rgb = std::array<std::uint8_t, 3>;
 

@@ -226,7 +226,7 @@ const inRoom = {
   beams: [moonlight]
 };
 const atTexel = lit({...inRoom, rays: 24}), atVertex = lit({...inRoom, rays: 96});
-// What hangs at a wall hides too few of its vertices to shade them.
+// Things that hang at a wall do not shade it: they hide too few of its vertices.
 const onWall = lit({...inRoom, rays: 96, blocked: tracer([...standingThings, ...shell])});
 // The eye stays where it is, but for some degrees by hand: what no such eye sees is left out.
 const kEyes =
@@ -290,7 +290,7 @@ writeModel(
     },
     {texcoords: true});
 
-// What shines or is outside of the room has its colour as it is.
+// Light changes nothing that shines or lies outside of the room.
 const kEdge = '#d8cfc4', out = -kHalf - kThick;
 const night = (x0, x1) => grid(
     1, 3,
