@@ -228,7 +228,7 @@ std::string plain_obj(std::string_view from, const std::function<bool(std::strin
     } else if (key == "mtllib") {
       append_libraries(plain, trimmed(rest), is_file);
     } else if (is_read(key)) {
-      plain += is_of_numbers(key) ? line.substr(0, line.find('#')) : line;
+      plain += is_of_numbers(key) ? trimmed(line.substr(0, line.find('#'))) : line;
       plain += '\n';
     }
     if (key == "usemtl") material = trimmed(rest);
