@@ -22,6 +22,7 @@ struct CameraArguments {
   std::optional<std::string> up;
   std::optional<std::string> animation;
   bool highlights = false;
+  bool plain_materials = false;
   std::optional<std::string> camera;
   std::optional<std::string> eye;
   std::optional<std::string> look_at;
@@ -39,8 +40,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments);
 /// `scene`: --camera is a usage error unless it is a model file.
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
-/// Parses --up, --animation, --highlights, --background, --light and the reduction. They are usage errors unless the
-/// scene is a model file: other scenes have their own settings. `format`: of the picture.
+/// Parses --up, --animation, --highlights, --plain-materials, --background, --light and the reduction. They are usage
+/// errors unless the scene is a model file: other scenes have their own settings. `format`: of the picture.
 Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene, PixelFormat format);
 
 }  // namespace zstrip::sim

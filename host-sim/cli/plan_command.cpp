@@ -87,8 +87,10 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   const Result<Reduction> reduction = parse_reduction(arguments.reduction, arguments.scene);
   if (!reduction) return reduction.failure();
   std::optional<StepReport> steps(std::in_place, true);
-  Result<std::unique_ptr<Stage>> stage = open_stage(
-      arguments.scene, {.reduction = *reduction, .look = look_for_people(request->view.format)}, {}, request->view, 1);
+  Result<std::unique_ptr<Stage>> stage =
+      open_stage(arguments.scene,
+                 {.metals = Metals::mirroring, .reduction = *reduction, .look = look_for_people(request->view.format)},
+                 {}, request->view, 1);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   steps.reset();
   if (!stage) return stage.failure();

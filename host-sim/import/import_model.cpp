@@ -8,6 +8,7 @@
 
 #include "image/resample.hpp"
 #include "import/emission.hpp"
+#include "import/metals.hpp"
 #include "import/model.hpp"
 #include "import/quantise.hpp"
 #include "import/read_model.hpp"
@@ -49,10 +50,10 @@ void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides)
 }  // namespace
 
 Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
-                           BackFaces back_faces, Highlights highlights, const Reduction& reduction) {
+                           BackFaces back_faces, Shine shine, const Reduction& reduction) {
   const std::string file = path.filename().string();
   tell_step(fmt::format("reading '{}'", file));
-  Result<SourceModel> read = read_model(path, up, texcoords, highlights);
+  Result<SourceModel> read = read_model(path, up, texcoords, shine);
   if (!read) return read.failure();
   SourceModel& source = *read;
   const auto named = [&path](const std::string& message) {
@@ -61,6 +62,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
 
   tell_step(fmt::format("finding the surfaces of '{}'", file));
   show_emission(source);
+  if (shine.metals == Metals::mirroring) show_metals(source);
   show_wraps(source);
   multiply_unlit_texels(source);
   generate_missing_normals(source);

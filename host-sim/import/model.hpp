@@ -105,6 +105,6 @@ enum class BackFaces : std::uint8_t {
 /// The failure's message is complete: it names the file.
 Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up = {},
                            Texcoords texcoords = Texcoords::of_textures, BackFaces back_faces = BackFaces::lit_alike,
-                           Highlights highlights = Highlights::none, const Reduction& reduction = {});
+                           Shine shine = {}, const Reduction& reduction = {});
 
 }  // namespace zstrip::sim

@@ -56,7 +56,7 @@ MeshData to_mesh_data(const SourceMesh& source, int texcoord_bits, const Grid& g
 }
 
 bool is_textured(const SourceMesh& mesh, const SourceMaterial& material) {
-  return mesh.has_texcoords && material.texture != kNoSourceTexture;
+  return (mesh.has_texcoords || material.is_mirror) && material.texture != kNoSourceTexture;
 }
 
 /// Returns true for the source's textures whose alpha a material masks or blends with.
@@ -77,6 +77,7 @@ bool set_finish(const SourceMaterial& from, Material& to, std::vector<Finish>& f
     finish.specular = {from.specular[0], from.specular[1], from.specular[2], 255};
     finish.shininess = from.shininess;
   }
+  if (from.is_mirror) finish.filter = TextureFilter::environment_nearest;
   if (from.alpha_mode == AlphaMode::mask) finish.alpha_cutoff = from.alpha_cutoff;
   if (finish == Finish{}) return true;
   const auto known = std::find(finishes.begin(), finishes.end(), finish);
@@ -134,8 +135,9 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
                       .lit = from.lit,
                       .smooth = from.smooth,
                       .double_sided = traits[i].double_sided};
-    if (!set_finish(from, material, model.finishes)) ++plain;
-    if (is_textured(mesh, from)) {
+    const bool finished = set_finish(from, material, model.finishes);
+    if (!finished) ++plain;
+    if (is_textured(mesh, from) && (finished || !from.is_mirror)) {
       const auto [at, is_new] = textures.try_emplace(from.texture, static_cast<std::uint16_t>(model.textures.size()));
       if (is_new) {
         const RgbImage& image = source.textures[from.texture];
@@ -160,7 +162,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
     tell_step("quantising the vertices");
     const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
     note_vertices(model.accuracy, mesh, whole, grid);
-    if (is_textured(mesh, from)) {
+    if (is_textured(mesh, from) && !from.is_mirror) {
       note_texcoords(model.accuracy, mesh, whole, traits[i].texcoord_bits, source.textures[from.texture]);
     }
     tell_step("cutting the model into meshlets");

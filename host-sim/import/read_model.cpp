@@ -72,7 +72,7 @@ ReadPicture picture_reader_beside(const std::filesystem::path& folder) {
 
 /// Reads any format. Files of glTF 1.0, which is another format, are read by Assimp.
 Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
-                             Highlights highlights, CrashGuard& guard) {
+                             Shine shine, CrashGuard& guard) {
   const auto parsed = [&guard] { guard.lift_limits(); };
   const std::string ending = ending_of(path);
   if (ending == ".ply" || ending == ".3mf" || ending == ".stl") {
@@ -92,13 +92,13 @@ Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<Up
   if (document->version == 1) return read_assimp(path, up, texcoords, parsed);
   if (document->version != 2) return unreadable_model("it is of a version of glTF that is not known");
   return read_gltf(*document, reader_beside(path.parent_path()), turn_up(up.value_or(UpAxis::plus_y)), texcoords,
-                   highlights);
+                   shine);
 }
 
 }  // namespace
 
 Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
-                               Highlights highlights) {
+                               Shine shine) {
   const auto named = [&](const std::string& message) {
     return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), message)};
   };
@@ -128,7 +128,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
       limit, reading_memory(bytes));
   Result<SourceModel> model = [&]() -> Result<SourceModel> {
     try {
-      return read_any(path, up, texcoords, highlights, guard);
+      return read_any(path, up, texcoords, shine, guard);
     } catch (const std::bad_alloc&) {
       guard.lift_limits();
       if (!machine_gives(reading_memory(bytes))) throw;

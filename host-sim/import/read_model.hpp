@@ -25,6 +25,6 @@ constexpr std::uint64_t reading_memory(std::uint64_t file_bytes) { return (std::
 /// that were left out. The result has at least one triangle. Throws std::bad_alloc if the machine has less memory than
 /// a file of this size may take.
 Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<UpAxis> up,
-                               Texcoords texcoords = Texcoords::of_textures, Highlights highlights = Highlights::none);
+                               Texcoords texcoords = Texcoords::of_textures, Shine shine = {});
 
 }  // namespace zstrip::sim

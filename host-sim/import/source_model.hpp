@@ -76,6 +76,9 @@ struct SourceMaterial {
   std::uint32_t emissive_texture = kNoSourceTexture;  ///< multiplied by `emissive`, at the coordinates of `texture`;
                                                       ///< index into SourceModel::textures
   std::array<TextureWrap, 2> wrap{TextureWrap::repeat, TextureWrap::repeat};  ///< of u and v
+  double metallic = 0;                                                        ///< share of metal, 0..1
+  double roughness = 1;                                                       ///< of the surface, 0: a mirror
+  bool is_mirror = false;                                                     ///< `texture` is an environment map
   bool lit = true;
   bool smooth = true;
   std::optional<bool> double_sided;  ///< empty: the file does not say it
@@ -86,6 +89,17 @@ enum class Texcoords : std::uint8_t { of_textures, all };
 
 /// Highlights of materials: removed, because they cost time at each vertex or pixel, or as in the file.
 enum class Highlights : std::uint8_t { none, of_materials };
+
+/// Smooth metals: drawn like a matt surface of their colour, or with an environment map of a studio.
+enum class Metals : std::uint8_t { matt, mirroring };
+
+/// The parts of a file's materials beyond colours and textures that are drawn.
+struct Shine {
+  Highlights highlights;
+  Metals metals;
+  /// Not explicit, so that either can be written for a Shine.
+  constexpr Shine(Highlights which = Highlights::none, Metals how = Metals::matt) : highlights(which), metals(how) {}
+};
 
 /// The axis of a model that points upwards. Formats differ, and files do not always follow their format.
 enum class UpAxis : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };

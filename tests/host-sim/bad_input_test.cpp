@@ -239,6 +239,7 @@ TEST_F(BadInput, Options) {
   usage("--fov", {"render", "teapot", "--eye", "0,0,3", "--fov", "180"});
   usage("--up", {"render", "teapot", "--up", "z"});
   usage("--highlights", {"render", "teapot", "--highlights"});
+  usage("--plain-materials", {"render", "teapot", "--plain-materials"});
   usage("picture.png", {"render", "teapot", "-o", "picture.png", "--frames", "2"});
   usage("--bogus", {"render", "teapot", "--bogus"});
   usage("--samples: 'four' is no number. Known are 1, 2, 4", {"render", "teapot", "--samples", "four"});

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -19,6 +20,7 @@
 #include "import/find_file.hpp"
 #include "import/read_file.hpp"
 #include "import/screen_channel.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -69,10 +71,21 @@ void warn_of_maps(const aiScene& scene, std::vector<std::string>& warnings) {
   if (!list.empty()) warnings.push_back("drawn without: " + list);
 }
 
+/// Returns a number of a material within 0..1, or nothing.
+std::optional<double> share_of(const aiMaterial& from, const char* key, unsigned type, unsigned index) {
+  float value = 0;
+  if (from.Get(key, type, index, value) != AI_SUCCESS || !std::isfinite(value)) return std::nullopt;
+  return std::clamp(double{value}, 0.0, 1.0);
+}
+
 }  // namespace
 
 MaterialReader::MaterialReader(const aiScene& scene, const std::filesystem::path& path, SourceModel& model)
-    : scene_(scene), folder_(path.parent_path()), linear_(has_linear_colours(scene, path)), model_(model) {}
+    : scene_(scene),
+      folder_(path.parent_path()),
+      is_blender_fbx_(lower(path.extension().string()) == ".fbx" && has_linear_colours(scene, path)),
+      linear_(has_linear_colours(scene, path)),
+      model_(model) {}
 
 void MaterialReader::read_all() {
   for (const aiMaterial* material : std::span(scene_.mMaterials, scene_.mNumMaterials)) {
@@ -95,6 +108,7 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
     to.colour = {to_screen_channel(colour.r, linear_), to_screen_channel(colour.g, linear_),
                  to_screen_channel(colour.b, linear_)};
   }
+  read_metal(from, to);
   int shading = 0;
   if (from.Get(AI_MATKEY_SHADING_MODEL, shading) == AI_SUCCESS) {
     to.lit = shading != aiShadingMode_Unlit;
@@ -118,6 +132,15 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
   if (textured && (is_default || linear_ || to.colour == std::array<std::uint8_t, 3>{0, 0, 0}))
     to.colour = {255, 255, 255};
   return to;
+}
+
+void MaterialReader::read_metal(const aiMaterial& from, SourceMaterial& to) const {
+  to.metallic = share_of(from, AI_MATKEY_METALLIC_FACTOR).value_or(0);
+  to.roughness = share_of(from, AI_MATKEY_ROUGHNESS_FACTOR).value_or(1);
+  float shininess = 0;
+  if (!is_blender_fbx_ || from.Get(AI_MATKEY_SHININESS, shininess) != AI_SUCCESS) return;
+  to.metallic = share_of(from, AI_MATKEY_REFLECTIVITY).value_or(0);
+  to.roughness = 1 - std::sqrt(std::clamp(double{shininess} / 100, 0.0, 1.0));
 }
 
 std::uint32_t MaterialReader::read_texture(const std::string& name) {

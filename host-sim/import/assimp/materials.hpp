@@ -25,11 +25,14 @@ class MaterialReader {
 
  private:
   SourceMaterial read(const aiMaterial& from, unsigned& texcoord_set);
+  /// Sets metal and roughness; without them the material is no metal.
+  void read_metal(const aiMaterial& from, SourceMaterial& to) const;
   std::uint32_t read_texture(const std::string& name);
 
   const aiScene& scene_;
   std::filesystem::path folder_;
-  bool linear_;  ///< colours of materials are linear, because Blender wrote them
+  bool is_blender_fbx_;  ///< Blender wrote metal and roughness as reflection and shininess
+  bool linear_;          ///< colours of materials are linear, because Blender wrote them
   SourceModel& model_;
   std::map<std::string, std::uint32_t> known_textures_;  ///< by name; also those that failed
   std::vector<unsigned> texcoord_sets_;

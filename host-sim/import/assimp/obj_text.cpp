@@ -246,8 +246,16 @@ namespace {
 struct MtlMaterial {
   std::string_view name, texture, illumination;  ///< as in the file, after their key
   std::optional<std::array<double, 3>> colour;
+  std::optional<double> metallic, roughness;  ///< 0..1
   bool bad_colour = false, emits = false;
 };
+
+/// Returns a number from 0 to 1, or nothing.
+std::optional<double> share_of(std::string_view text) {
+  const std::optional<double> number = number_of(text);
+  if (!number || !(*number >= 0)) return std::nullopt;
+  return std::min(*number, 1.0);
+}
 
 /// The name of a texture, and the options before it that are drawn.
 struct MtlTexture {
@@ -304,6 +312,8 @@ void append(std::string& to, const MtlMaterial& material, bool linear) {
     to += '\n';
   }
   if (!material.illumination.empty()) to += fmt::format("illum {}\n", material.illumination);
+  if (material.metallic) to += fmt::format("Pm {:.6f}\n", *material.metallic);
+  if (material.roughness) to += fmt::format("Pr {:.6f}\n", *material.roughness);
   const MtlTexture texture = texture_of(material.texture);
   if (!texture.name.empty()) to += fmt::format("map_Kd {}{}\n", texture.clamps ? "-clamp on " : "", texture.name);
 }
@@ -341,7 +351,8 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     rest = trimmed(rest);
     if (key == "newmtl") {
       finish();
-      material = MtlMaterial{.name = rest, .texture = {}, .illumination = {}, .colour = {}};
+      material =
+          MtlMaterial{.name = rest, .texture = {}, .illumination = {}, .colour = {}, .metallic = {}, .roughness = {}};
       materials.defined.emplace(rest);
     }
     if (!material) continue;
@@ -354,6 +365,8 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     if (key == "map_ke" || key == "map_emissive") material->emits = true;
     if (key == "illum" && number_of(rest)) material->illumination = rest;
     if (key == "map_kd") material->texture = rest;
+    if (key == "pm") material->metallic = share_of(rest);
+    if (key == "pr") material->roughness = share_of(rest);
   }
   finish();
   constexpr std::string_view kWarning = "drawn without: normal maps";  // once for all files of materials

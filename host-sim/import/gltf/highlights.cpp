@@ -13,8 +13,6 @@ namespace {
 /// The least channel that RGB565 can show.
 constexpr std::uint8_t kFaintest = 8;
 
-double share(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 1; }
-
 /// Returns the reflected share of perpendicular light, for materials other than metal.
 std::array<double, 3> reflected_straight(const GltfJson& material) {
   const double ior = number_in(extension(material, "KHR_materials_ior"), "ior", 1.5);

@@ -1,6 +1,7 @@
 // Reads JSON with any contents.
 #include "import/gltf/json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -55,5 +56,7 @@ std::string text_in(const GltfJson& json, const char* key) {
   const GltfJson& text = member(json, key);
   return text.is_string() ? text.get<std::string>() : std::string();
 }
+
+double share(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 1; }
 
 }  // namespace zstrip::sim

@@ -10,6 +10,8 @@
 #include <string>
 
 #include "import/gltf/highlights.hpp"
+#include "import/gltf/specular_glossiness.hpp"
+#include "import/metals.hpp"
 #include "import/screen_channel.hpp"
 #include "text/text.hpp"
 
@@ -35,33 +37,6 @@ void read_alpha(const GltfJson& from, double alpha, SourceMaterial& to) {
   if (to.alpha_cutoff == 0) to.alpha_mode = AlphaMode::opaque;
 }
 
-/// The share of light that other materials than metal reflect straight on, in glTF.
-constexpr double kStraight = 0.04;
-
-/// Perceived brightness, as KHR_materials_pbrSpecularGlossiness weighs it.
-double brightness(const std::array<double, 3>& c) {
-  return std::sqrt(0.299 * c[0] * c[0] + 0.587 * c[1] * c[1] + 0.114 * c[2] * c[2]);
-}
-
-/// Returns the base colour whose metal looks most like a diffuse and a specular colour: that of metal is all in the
-/// specular one. The root of how much metal there is comes from the formulas of both models of light.
-std::array<double, 3> base_of(const std::array<double, 4>& diffuse, const std::array<double, 3>& specular) {
-  const double rest = 1 - std::clamp(*std::ranges::max_element(specular), 0.0, 1.0);
-  const double of_diffuse = brightness({diffuse[0], diffuse[1], diffuse[2]}), of_specular = brightness(specular);
-  double metal = 0;
-  if (of_specular > kStraight) {
-    const double b = of_diffuse * rest / (1 - kStraight) + of_specular - 2 * kStraight;
-    metal = std::clamp((std::sqrt(b * b - 4 * kStraight * (kStraight - of_specular)) - b) / (2 * kStraight), 0.0, 1.0);
-  }
-  std::array<double, 3> base{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double plain = diffuse[i] * rest / (1 - kStraight) / std::max(1 - metal, 1e-6);
-    const double shiny = (specular[i] - kStraight * (1 - metal)) / std::max(metal, 1e-6);
-    base[i] = std::clamp(plain + (shiny - plain) * metal * metal, 0.0, 1.0);
-  }
-  return base;
-}
-
 }  // namespace
 
 void GltfMaterials::read_all() {
@@ -85,21 +60,16 @@ SourceMaterial GltfMaterials::read(const GltfJson& from, GltfTexcoords& texcoord
   to.name = text_in(from, "name");
   to.lit = !extension(from, "KHR_materials_unlit").is_object();
   to.double_sided = flag_in(from, "doubleSided");
-  // An older extension for the same. Its specular colour is drawn where no texture has colours, too.
+  // An older extension for the same.
   const GltfJson& diffuse = extension(from, "KHR_materials_pbrSpecularGlossiness");
   const bool is_older = diffuse.is_object();
   const GltfJson& base = is_older ? diffuse : member(from, "pbrMetallicRoughness");
-  auto factor = numbers_in<4>(base, is_older ? "diffuseFactor" : "baseColorFactor", {1, 1, 1, 1});
-  if (is_older && member(base, "specularFactor").is_array() && !member(base, "diffuseTexture").is_object() &&
-      !member(base, "specularGlossinessTexture").is_object()) {
-    const std::array<double, 3> metallic = base_of(factor, numbers_in<3>(base, "specularFactor", {1, 1, 1}));
-    std::ranges::copy(metallic, factor.begin());
-  }
+  const auto factor = numbers_in<4>(base, is_older ? "diffuseFactor" : "baseColorFactor", {1, 1, 1, 1});
   to.colour = on_screen(factor[0], factor[1], factor[2]);
   read_alpha(from, factor[3], to);
-  if (highlights_ == Highlights::of_materials && to.lit && !is_older) read_highlight(from, to);
   const std::optional<GltfTextureUse> texture =
-      textures_.use_of(base, is_older ? "diffuseTexture" : "baseColorTexture");
+      is_older ? read_specular_glossiness(base, to) : textures_.use_of(base, "baseColorTexture");
+  if (to.lit && !is_older) read_shine(from, texture.has_value(), to);
   texcoords = read_textures(texture, to.lit ? read_emission(from, texture, to) : std::nullopt, to);
   return to;
 }
@@ -116,14 +86,47 @@ std::optional<GltfTextureUse> GltfMaterials::read_emission(const GltfJson& from,
   return own;
 }
 
-void GltfMaterials::read_highlight(const GltfJson& from, SourceMaterial& to) const {
-  GltfRoughness roughness;
-  const auto texture = textures_.use_of(member(from, "pbrMetallicRoughness"), "metallicRoughnessTexture");
-  if (texture) {
-    const std::array<double, 3> mean = textures_.mean_of(texture->texture);
-    roughness = {.roughness = mean[1], .metallic = mean[2]};
+void GltfMaterials::read_shine(const GltfJson& from, bool textured, SourceMaterial& to) const {
+  const GltfJson& base = member(from, "pbrMetallicRoughness");
+  to.metallic = share(number_in(base, "metallicFactor", 1));
+  to.roughness = share(number_in(base, "roughnessFactor", 1));
+  const bool shines = shine_.highlights == Highlights::of_materials;
+  // Its picture takes time to decode: only where it can change something.
+  const bool mirrors = shine_.metals == Metals::mirroring && !textured && to.metallic >= kMinMetal;
+  GltfRoughness mean;
+  const auto texture = textures_.use_of(base, "metallicRoughnessTexture");
+  if (texture && (shines || mirrors)) {
+    const std::array<double, 3> means = textures_.mean_of(texture->texture);
+    mean = {.roughness = means[1], .metallic = means[2]};
+    to.roughness *= mean.roughness;
+    to.metallic *= mean.metallic;
   }
-  set_highlight(from, roughness, to);
+  if (shines) set_highlight(from, mean, to);
+}
+
+std::optional<GltfTextureUse> GltfMaterials::read_specular_glossiness(const GltfJson& from, SourceMaterial& to) const {
+  const std::optional<GltfTextureUse> diffuse_texture = textures_.use_of(from, "diffuseTexture");
+  const std::optional<GltfTextureUse> specular_texture = textures_.use_of(from, "specularGlossinessTexture");
+  // What the format assumes, a white mirror, is hardly meant.
+  if (!member(from, "specularFactor").is_array() && !specular_texture) return diffuse_texture;
+  const auto diffuse = numbers_in<4>(from, "diffuseFactor", {1, 1, 1, 1});
+  const auto specular = numbers_in<3>(from, "specularFactor", {1, 1, 1});
+  const auto times_mean = [this](double factor, const std::optional<GltfTextureUse>& texture, std::size_t channel) {
+    constexpr double kGamma = 2.2;  // of the screen, nearly
+    return share(factor) * (texture ? std::pow(textures_.mean_of(texture->texture)[channel], kGamma) : 1);
+  };
+  SpecularGlossiness means;
+  for (std::size_t i = 0; i < 3; ++i) {
+    means.diffuse[i] = times_mean(diffuse[i], diffuse_texture, i);
+    means.specular[i] = times_mean(specular[i], specular_texture, i);
+  }
+  const MetallicBase base = to_metallic(means);
+  if (base.metallic < kMinMetal && (diffuse_texture || specular_texture)) return diffuse_texture;
+  to.metallic = base.metallic;
+  to.roughness = 1 - share(number_in(from, "glossinessFactor", 1));
+  to.colour = specular_texture ? on_screen(specular[0], specular[1], specular[2])
+                               : on_screen(base.colour[0], base.colour[1], base.colour[2]);
+  return specular_texture;
 }
 
 GltfTexcoords GltfMaterials::read_textures(const std::optional<GltfTextureUse>& texture,

@@ -13,8 +13,8 @@ namespace zstrip::sim {
 
 class GltfMaterials {
  public:
-  GltfMaterials(const GltfJson& json, GltfTextures& textures, Highlights highlights, SourceModel& model)
-      : json_(json), textures_(textures), highlights_(highlights), model_(model) {}
+  GltfMaterials(const GltfJson& json, GltfTextures& textures, Shine shine, SourceModel& model)
+      : json_(json), textures_(textures), shine_(shine), model_(model) {}
 
   /// Sets `model.materials`: the file's in order, then the material of primitives without one.
   void read_all();
@@ -28,14 +28,18 @@ class GltfMaterials {
   /// Sets the emission's colour. Returns its texture, if it has a separate one.
   std::optional<GltfTextureUse> read_emission(const GltfJson& from, const std::optional<GltfTextureUse>& texture,
                                               SourceMaterial& to) const;
-  void read_highlight(const GltfJson& from, SourceMaterial& to) const;
+  /// Sets metal and roughness, and the highlight if highlights are drawn.
+  void read_shine(const GltfJson& from, bool textured, SourceMaterial& to) const;
+  /// Sets colour, metal and roughness of `from`, KHR_materials_pbrSpecularGlossiness. Returns the texture of the
+  /// colour: of metal that of its reflection.
+  std::optional<GltfTextureUse> read_specular_glossiness(const GltfJson& from, SourceMaterial& to) const;
   /// Reads both textures if they can be shown together, else the one that can.
   GltfTexcoords read_textures(const std::optional<GltfTextureUse>& texture, std::optional<GltfTextureUse> emission,
                               SourceMaterial& to);
 
   const GltfJson& json_;
   GltfTextures& textures_;
-  Highlights highlights_;
+  Shine shine_;
   SourceModel& model_;
   std::vector<GltfTexcoords> texcoords_;
 };

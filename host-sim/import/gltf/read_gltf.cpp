@@ -16,7 +16,7 @@
 namespace zstrip::sim {
 
 Result<SourceModel> read_gltf(const GltfDocument& document, const ReadUri& read_uri, const Affine& turn,
-                              Texcoords texcoords, Highlights highlights) {
+                              Texcoords texcoords, Shine shine) {
   const GltfJson& json = document.json;
   if (const Result<Done> checked = check_gltf_types(json); !checked) {
     return unreadable_model(checked.failure().message);
@@ -34,7 +34,7 @@ Result<SourceModel> read_gltf(const GltfDocument& document, const ReadUri& read_
     return unreadable_model(read.failure().message);
   }
   GltfTextures textures(document, buffers, model);
-  GltfMaterials materials(json, textures, highlights, model);
+  GltfMaterials materials(json, textures, shine, model);
   materials.read_all();
   GltfPrimitives primitives(json, buffers, accessors, *nodes, materials, texcoords, model);
   if (const Result<Done> read = primitives.read_all(); !read) return read.failure();

@@ -11,6 +11,6 @@ namespace zstrip::sim {
 /// `turn` is applied after all nodes. Has the same result as read_model. The failure's message starts with a verb.
 /// A lack of memory is std::bad_alloc.
 Result<SourceModel> read_gltf(const GltfDocument& document, const ReadUri& read_uri, const Affine& turn,
-                              Texcoords texcoords, Highlights highlights = Highlights::none);
+                              Texcoords texcoords, Shine shine = {});
 
 }  // namespace zstrip::sim
