@@ -150,6 +150,10 @@ void show_metals(SourceModel& model) {
       shown.texture = map->second;
       shown.is_mirror = true;
       shown.lit = lit;
+      if (lit && !has_lights) {  // emission is multiplied with vertex colours, but not with light
+        shown.emissive = shown.colour;
+        shown.colour = {};
+      }
       shown.specular = {};
       model.materials.push_back(std::move(shown));
     }

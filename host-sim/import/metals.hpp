@@ -17,8 +17,8 @@ inline constexpr std::uint32_t kStudioSide = 64;
 RgbImage studio_map(unsigned exponent, const std::array<std::uint8_t, 3>& colour);
 
 /// Gives smooth metals without a texture, without emission and without alpha an environment map in place of light and
-/// highlights. Metals of one colour and nearly the same roughness share a map. In files with lights, and on meshes with
-/// vertex colours, the map is grey and light and colour are multiplied with it.
+/// highlights. Metals of one colour and nearly the same roughness share a map. On meshes with vertex colours the map is
+/// grey and the colours are multiplied with it; in files with lights it is grey and the lit colours are.
 void show_metals(SourceModel& model);
 
 }  // namespace zstrip::sim
