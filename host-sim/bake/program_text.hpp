@@ -1,7 +1,8 @@
-// Programs that show a baked scene with zstrip::Player: a sketch for Arduino, a source for CMake. Both include the
-// scene's header by the name scene.hpp.
+// Programs that show a baked scene with zstrip::Player: a sketch for Arduino, a program for the Raspberry Pi Pico SDK,
+// a source for CMake. All include the scene's header by the name scene.hpp.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "bake/baked_scene.hpp"
@@ -9,14 +10,22 @@
 
 namespace zstrip::sim {
 
+/// What drives the panel of a sketch: zstrip's own driver for an ST7789, or another library.
+enum class DisplayLibrary : std::uint8_t { st7789, tft_espi, lovyangfx, arduino_gfx };
+
 /// Returns ExitStatus::usage for scenes that a player does not draw (with a visibility method), and for a namespace
 /// with a name that the program uses itself.
 Result<Done> check_for_program(const BakedScene& baked, const std::string& name_space);
-/// Checks the same for a sketch, and refuses pictures that no ST7789 can show.
-Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_space);
+/// Checks the same for a sketch, and refuses pictures that no ST7789 can show. Only TFT_eSPI's panel may be larger.
+Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_space,
+                              DisplayLibrary library = DisplayLibrary::st7789);
+/// Checks the same for a program for the Raspberry Pi Pico SDK with an ST7789.
+Result<Done> check_for_pico_program(const BakedScene& baked, const std::string& name_space);
 
 /// `name_space`: that of the header. The same scene always gives the same text.
-std::string to_sketch(const BakedScene& baked, const std::string& name_space);
+std::string to_sketch(const BakedScene& baked, const std::string& name_space,
+                      DisplayLibrary library = DisplayLibrary::st7789);
+std::string to_pico_program(const BakedScene& baked, const std::string& name_space);
 /// `file`: its name, which is used in its CMakeLists.txt.
 std::string to_program(const BakedScene& baked, const std::string& name_space, const std::string& file);
 

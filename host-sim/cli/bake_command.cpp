@@ -20,6 +20,7 @@
 #include "bake/palettes.hpp"
 #include "bake/pico_scene.hpp"
 #include "bake/program_text.hpp"
+#include "bake/project_files.hpp"
 #include "bake/scene_blob.hpp"
 #include "bake/shown_edges.hpp"
 #include "bake/stage_skins.hpp"
@@ -33,6 +34,7 @@
 #include "cli/picture_arguments.hpp"
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
+#include "cli/project_arguments.hpp"
 #include "image/inputs.hpp"
 #include "image/write_file.hpp"
 #include "import/quantise.hpp"
@@ -127,9 +129,9 @@ Result<BakedScene> plan_baked(const std::string& scene, const Staging& staging, 
 }
 
 /// For a header: leaves out clipping if the option allows it and the motion does not need it.
-ClippingRecord choose_clipping(const BakeArguments& arguments, BakedScene& baked) {
+ClippingRecord choose_clipping(const BakeArguments& arguments, bool turntable, BakedScene& baked) {
   if (arguments.clipping == "on") return {.where = {}, .why = "--clipping on"};
-  ClippingRecord clipping = find_clipping(baked, arguments.turntable);
+  ClippingRecord clipping = find_clipping(baked, turntable);
   if (clipping.left_out) {
     baked.effects = baked.effects | effect::unclipped;
     baked.unclipped_where = clipping.where;
@@ -138,10 +140,10 @@ ClippingRecord choose_clipping(const BakeArguments& arguments, BakedScene& baked
 }
 
 /// Returns the edges that the motion shows, for a header; nothing if all edges stay.
-std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const BakeArguments& arguments, const Staging& at_rest,
-                                         const Animation& animation, const Turn& turn, const BakedSkins& skins,
-                                         const View& view) {
-  const bool moves_as_baked = !animation.tracks.empty() || (arguments.turntable && turn.what != Turning::nothing);
+std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const BakeArguments& arguments, bool turntable,
+                                         const Staging& at_rest, const Animation& animation, const Turn& turn,
+                                         const BakedSkins& skins, const View& view) {
+  const bool moves_as_baked = !animation.tracks.empty() || (turntable && turn.what != Turning::nothing);
   if (!is_source(kind) || arguments.clipping == "on" || !moves_as_baked || at_rest.scene.edges.empty()) return nullptr;
   std::vector<std::size_t> bent;
   for (const ModelSkin& skin : skins.meshes) bent.push_back(skin.mesh);
@@ -199,9 +201,9 @@ Result<std::vector<std::uint8_t>> make_output(const BakeArguments& arguments, Ba
                                               BakeRecord& record) {
   if (is_source(kind)) {
     const std::string file_name = std::filesystem::path(arguments.output).filename().string();
-    const std::string text = kind == BakeKind::header   ? to_scene_header(baked, arguments.name_space)
-                             : kind == BakeKind::sketch ? to_sketch(baked, arguments.name_space)
-                                                        : to_program(baked, arguments.name_space, file_name);
+    const std::string text = kind == BakeKind::sketch    ? to_sketch(baked, arguments.name_space)
+                             : kind == BakeKind::program ? to_program(baked, arguments.name_space, file_name)
+                                                         : to_scene_header(baked, arguments.name_space);
     return std::vector<std::uint8_t>(text.begin(), text.end());
   }
   Result<std::vector<std::uint8_t>> blob = make_blob(baked, turning_camera, record);
@@ -257,8 +259,18 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
     const Result<Done> not_given = check_not_for_pico(arguments.pico);
     if (!not_given) return not_given.failure();
   }
-  Result<PlanRequest> request =
-      parse_plan(for_pico ? plan_arguments_for_pico(arguments.plan) : arguments.plan, arguments.scene);
+  std::optional<Project> project;
+  if (*kind == BakeKind::project) {
+    Result<Project> parsed = parse_project(arguments.project, arguments.output);
+    if (!parsed) return parsed.failure();
+    project = std::move(*parsed);
+  } else if (const Result<Done> not_given = check_no_project(arguments.project); !not_given) {
+    return not_given.failure();
+  }
+  Result<PlanRequest> request = parse_plan(for_pico  ? plan_arguments_for_pico(arguments.plan)
+                                           : project ? plan_arguments_for_project(arguments.plan, *project)
+                                                     : arguments.plan,
+                                           arguments.scene);
   if (!request) return request.failure();
   if (for_pico) {
     if (const Result<Done> shown = check_view_for_pico(request->view); !shown) return shown.failure();
@@ -278,12 +290,15 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   if (!camera) return camera.failure();
   OutputNames outputs;
   outputs.path = arguments.output;
+  if (project) outputs.path /= "scene.hpp";
   const Result<Done> distinct = check_distinct(outputs, arguments.json, arguments.visible_sets);
   if (!distinct) return distinct.failure();
   const Result<PicoFile> pico_file = parse_pico(arguments.pico, arguments.output);
   if (!pico_file) return pico_file.failure();
 
-  const std::uint32_t angles = arguments.turntable ? 2 : 1;  // 2 frames: the camera must show every angle
+  // A folder's model turns, unless it has an animation.
+  const bool turntable = arguments.turntable || project;
+  const std::uint32_t angles = turntable ? 2 : 1;  // 2 frames: the camera must show every angle
   std::optional<StepReport> steps(std::in_place, !arguments.quiet);
   const bool is_open = trial != nullptr && *trial->stage != nullptr;
   Result<std::unique_ptr<Stage>> stage =
@@ -320,7 +335,7 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   const MipmappedScene mipmapped(unmoved.scene(), mipmap_choice(arguments.mipmaps));
   const PalettedScene paletted(mipmapped.scene(), texture_choice(arguments.textures));
   at_rest.scene = paletted.scene();
-  const Result<Turn> turn = turn_of(**stage, request->method, arguments.turntable, *staging);
+  const Result<Turn> turn = turn_of(**stage, request->method, turntable, *staging);
   if (!turn) return turn.failure();
   if (for_pico) {
     request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, *pico_file);
@@ -329,19 +344,24 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
     }
   }
   const std::unique_ptr<ShownEdges> shown =
-      choose_edges(*kind, arguments, at_rest, (*stage)->animation(), *turn, skins, request->view);
+      choose_edges(*kind, arguments, turntable, at_rest, (*stage)->animation(), *turn, skins, request->view);
   if (shown) at_rest.scene.edges = shown->sets();
   *request = with_enough_ram(at_rest, *request);
   Result<BakedScene> baked = plan_baked(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   if (shown) baked->edges_left_out = shown->left_out();
+  if (project) {
+    if (const Result<Done> shown_by = check_for_project(*baked, arguments.name_space, *project); !shown_by) {
+      return shown_by.failure();
+    }
+  }
   if (*kind == BakeKind::sketch || *kind == BakeKind::program) {
     const Result<Done> drawn = *kind == BakeKind::sketch ? check_for_sketch(*baked, arguments.name_space)
                                                          : check_for_program(*baked, arguments.name_space);
     if (!drawn) return drawn.failure();
   }
   std::optional<ClippingRecord> clipping;
-  if (is_source(*kind)) clipping = choose_clipping(arguments, *baked);
+  if (is_source(*kind)) clipping = choose_clipping(arguments, turntable, *baked);
   BakeRecord record = describe(arguments, **stage, *baked);
   record.clipping = std::move(clipping);
   record.palettes = paletted.records();
@@ -363,7 +383,9 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
     return checked.failure();
   if (const Result<Done> checked = check_no_input(arguments.json.value_or(""), "--json"); !checked)
     return checked.failure();
-  const Result<Done> written = write_file(arguments.output, *output, "-o");
+  const Result<Done> written =
+      project ? write_project(arguments.output, *output, project_files(*baked, arguments.name_space, *project))
+              : write_file(arguments.output, *output, "-o");
   if (!written) return written.failure();
   if (arguments.visible_sets) {
     Result<VisibleSetRecord> sets = write_sets(*arguments.visible_sets, *staging, (*stage)->animation(), *cells);
@@ -388,7 +410,8 @@ void add_bake_command(CLI::App& app, int& exit_code) {
           "-o,--output", a.output,
           "The file to write: .hpp for C++ constants, .ino for a sketch for Arduino that shows them on an ST7789, .cpp "
           "for a program that draws them, .zsc for a blob, .uf2 for a blob that a Raspberry Pi Pico takes "
-          "beside zstrip_pico_player.uf2, or a Pico 2 beside zstrip_pico2_player.uf2")
+          "beside zstrip_pico_player.uf2, or a Pico 2 beside zstrip_pico2_player.uf2. FOLDER/: a whole program, for "
+          "--project and --display")
       ->required()
       ->type_name("FILE");
   add_plan_options(*command, a.plan);
@@ -429,6 +452,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       ->option_text("CHOICE")
       ->transform(one_of({"auto", "on"}));
   add_pico_options(*command, a.pico);
+  add_project_options(*command, a.project);
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
   command->footer(
@@ -438,6 +462,9 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "--turntable\n"
       "  zstrip bake model.glb -o model.ino --size 240x240 --format rgb565_swapped --ram 14K --split-columns "
       "--turntable\n"
+      "  zstrip bake model.glb -o sketch/ --display tft_espi\n"
+      "  zstrip bake model.glb -o sketch/ --project platformio --display lovyangfx\n"
+      "  zstrip bake model.glb -o pico/ --project pico\n"
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
       "  zstrip bake model.glb -o model.uf2\n"
       "  zstrip bake model.glb -o pico.uf2 --with zstrip_pico_player.uf2\n"

@@ -11,6 +11,7 @@
 #include "cli/camera_arguments.hpp"
 #include "cli/pico_arguments.hpp"
 #include "cli/plan_arguments.hpp"
+#include "cli/project_arguments.hpp"
 #include "render/stage.hpp"
 #include "report/bake_report.hpp"
 #include "result.hpp"
@@ -35,6 +36,7 @@ struct BakeArguments {
   std::string mipmaps = "auto";
   std::string clipping = "auto";
   PicoArguments pico;
+  ProjectArguments project;
   std::optional<std::string> json;
   bool quiet = false;
 };

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <system_error>
 
 #include "text/text.hpp"
 
 namespace zstrip::sim {
 
 Result<BakeKind> bake_kind(const std::string& output) {
+  std::error_code ignored;
+  if (output.ends_with('/') || std::filesystem::is_directory(output, ignored)) return BakeKind::project;
   const std::string extension = lower(std::filesystem::path(output).extension().string());
   if (extension == ".hpp" || extension == ".h") return BakeKind::header;
   if (extension == ".ino") return BakeKind::sketch;
@@ -20,7 +23,8 @@ Result<BakeKind> bake_kind(const std::string& output) {
       ExitStatus::usage,
       fmt::format(
           "-o '{}' must end in .hpp (C++ constants), .ino or .cpp (a sketch or a program that shows them), .zsc "
-          "(a blob used in place) or .uf2 (a blob for the Raspberry Pi Pico or Pico 2)",
+          "(a blob used in place) or .uf2 (a blob for the Raspberry Pi Pico or Pico 2), or in / (a folder with a whole "
+          "program)",
           output)};
 }
 

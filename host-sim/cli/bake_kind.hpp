@@ -8,14 +8,15 @@
 
 namespace zstrip::sim {
 
-enum class BakeKind : std::uint8_t { header, sketch, program, blob, pico };
+/// `project`: a folder with a program and its header.
+enum class BakeKind : std::uint8_t { header, sketch, program, project, blob, pico };
 
 /// True for constants, and for programs that include them.
 constexpr bool is_source(BakeKind kind) {
-  return kind == BakeKind::header || kind == BakeKind::sketch || kind == BakeKind::program;
+  return kind == BakeKind::header || kind == BakeKind::sketch || kind == BakeKind::program || kind == BakeKind::project;
 }
 
-/// Returns a usage error for another ending.
+/// An existing folder, or a name that ends in '/', is a project. Returns a usage error for another ending.
 Result<BakeKind> bake_kind(const std::string& output);
 
 }  // namespace zstrip::sim

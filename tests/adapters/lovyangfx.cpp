@@ -35,6 +35,9 @@ void LGFX_Device::pushImageDMA(std::int32_t x, std::int32_t y, std::int32_t w, s
   if (!device_writes) screen().complain("pushImageDMA() without startWrite()");
   screen().begin(area_of(x, y, w, h), data, First::high);
 }
+template void LGFX_Device::pushImageDMA(std::int32_t x, std::int32_t y, std::int32_t w, std::int32_t h,
+                                        const swap565_t* data);
+void LGFX_Device::setRotation(std::uint_fast8_t) {}
 void LGFX_Device::waitDMA() { screen().end(); }
 
 }  // namespace lgfx

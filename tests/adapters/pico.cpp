@@ -1,6 +1,7 @@
 // A stand-in for the Raspberry Pi Pico SDK, with a panel at its SPI that knows windows and pixels.
 #include "libraries.hpp"
 #include "pico_spi_dma.hpp"
+#include "wires.hpp"
 
 struct spi_inst_t {
   spi_hw_t registers;
@@ -10,45 +11,14 @@ namespace {
 
 using namespace zstrip::adapters_test;
 
-constexpr uint kDataCommand = 8, kSelect = 9, kChannel = 3, kRequest = 16;
+// Those of the program that `zstrip bake` writes.
+constexpr uint kDataCommand = 20, kSelect = 17, kChannel = 3, kRequest = 16;
 
-class Wires {
- public:
+struct PicoWires : Wires {
   spi_inst_t spi{};
-  bool data = false, selected = false;
-  std::uint32_t time = 0;
-
-  void send(std::span<const std::byte> bytes) {
-    if (!selected) screen().complain("a transfer while the panel is not selected");
-    for (const std::byte byte : bytes) {
-      if (data) {
-        take(std::to_integer<std::uint8_t>(byte));
-      } else {
-        command_ = std::to_integer<std::uint8_t>(byte);
-        taken_ = 0;
-      }
-    }
-  }
-
- private:
-  // Of the column and row addresses only the window; all other commands but pixels do not matter here.
-  void take(std::uint8_t byte) {
-    const std::size_t place = taken_++;
-    if (command_ == 0x2A && place < 4) columns_[place] = byte;
-    if (command_ == 0x2B && place < 4) rows_[place] = byte;
-    if (command_ != 0x2C) return;
-    pixel_[place % 2] = byte;
-    if (place % 2 == 0) return;
-    const int left = columns_[0] << 8 | columns_[1], width = (columns_[2] << 8 | columns_[3]) - left + 1;
-    const int top = rows_[0] << 8 | rows_[1];
-    const int i = static_cast<int>(place / 2);
-    screen().draw(area_of(left + i % width, top + i / width, 1, 1), pixel_, First::high);
-  }
-
-  std::uint8_t command_ = 0, columns_[4]{}, rows_[4]{}, pixel_[2]{};
-  std::size_t taken_ = 0;
+  bool clocked = false;
 };
-Wires wires;
+PicoWires wires;
 
 struct PicoParts {
   adapters::PicoClock clock;
@@ -59,6 +29,17 @@ struct PicoParts {
 
 }  // namespace
 
+spi_inst_t* const spi0 = &wires.spi;
+uint spi_init(spi_inst_t*, uint hertz) {
+  wires.clocked = true;
+  return hertz;
+}
+void gpio_init(uint) {}
+void gpio_set_dir(uint, bool) {}
+void gpio_set_function(uint, gpio_function_t) {
+  if (!wires.clocked) screen().complain("a pin goes to the SPI before spi_init()");
+}
+bool stdio_init_all() { return true; }
 void gpio_put(uint pin, bool high) {
   if (screen().busy()) screen().complain("a pin changes during a transfer");
   if (pin == kDataCommand) wires.data = high;

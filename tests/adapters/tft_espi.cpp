@@ -27,6 +27,7 @@ bool TFT_eSPI::initDMA(bool) {
   if (DMA_Enabled) return false;  // as of a bus without DMA
   return DMA_Enabled = screen().fault != Fault::start;
 }
+void TFT_eSPI::setRotation(std::uint8_t) {}
 std::int16_t TFT_eSPI::width() { return kWidth; }
 std::int16_t TFT_eSPI::height() { return kHeight; }
 void TFT_eSPI::setSwapBytes(bool swap) { swaps_bytes = swap; }

@@ -217,6 +217,46 @@ TEST_F(Bake, ProgramsHaveThePanelTheNamespaceAndTheSkin) {
       "// a@b.obj in 320x240 pixels, rgb565.");
 }
 
+/// Files that their owner has changed stay; the scene is written anew.
+TEST_F(Bake, AFolderIsAWholeProgramAndKeepsWhatWasChanged) {
+  const auto bake_into = [this](const std::string& folder, std::vector<std::string> options) {
+    options.insert(options.begin(), {"bake", kHouseModel, "-o", folder, "--quiet"});
+    const Outcome outcome = zstrip(options);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.err;
+  };
+  const auto has = [this](const std::string& name, const std::string& part) {
+    const std::string whole = read(path(name));
+    EXPECT_NE(whole.find(part), std::string::npos) << part << "\n" << name << "\n" << whole;
+  };
+  EXPECT_EQ(bake_into("own/", {}), "");
+  has("own/own.ino", "kPanel{.width = 240, .height = 240, .inverted = true};");
+  has("own/scene.hpp", "The camera is placed for 240x240 pixels, rgb565_swapped.");
+  has("own/scene.hpp", "effect::unclipped");  // as with --turntable
+  EXPECT_EQ(bake_into("tft/", {"--display", "tft_espi", "--project", "platformio", "--size", "480x320"}), "");
+  has("tft/tft.ino", "tft.setRotation(1);");
+  has("tft/tft_espi.hpp", "class TftEspi");
+  has("tft/platformio.ini", "TFT_WIDTH=320");
+  EXPECT_EQ(bake_into("gfx/", {"--display", "arduino_gfx", "--size", "240x135"}), "");
+  has("gfx/gfx.ino", "Arduino_ST7789 gfx(&bus, kReset, 1, true, 135, 240, 52, 40, 53, 40);");
+  EXPECT_EQ(bake_into("lgfx/", {"--display", "lovyangfx", "--size", "240x135"}), "");
+  has("lgfx/lgfx.ino", "glass.offset_x = 52;\n    glass.offset_y = 40;\n");
+  EXPECT_EQ(bake_into("nested/pico/", {"--project", "pico"}), "");
+  has("nested/pico/CMakeLists.txt", "target_link_libraries(pico PRIVATE zstrip::player pico_stdlib");
+  has("nested/pico/main.cpp", "player.open({baked::kScene");
+  has("nested/pico/pico_spi_dma.hpp", "class PicoSpiDma");
+
+  const std::string sketch = read(path("own/own.ino")), scene = read(path("own/scene.hpp"));
+  file("own/own.ino", "// pins of mine");
+  file("own/scene.hpp", "// of another model");
+  EXPECT_NE(bake_into("own", {}).find("'own/own.ino' stays as it is"), std::string::npos);
+  EXPECT_EQ(read(path("own/own.ino")), "// pins of mine");
+  EXPECT_EQ(read(path("own/scene.hpp")), scene);
+  std::filesystem::remove(path("own/own.ino"));
+  EXPECT_EQ(bake_into("own", {}), "");
+  EXPECT_EQ(read(path("own/own.ino")), sketch);
+}
+
 TEST_F(Bake, Refusals) {
   const auto expect = [this](const std::vector<std::string>& arguments, int status, const char* words) {
     const Outcome outcome = zstrip(arguments);
@@ -236,6 +276,15 @@ TEST_F(Bake, Refusals) {
   expect({"bake", kHouseModel, "-o", "house.ino", "--size", "128x64", "--format", "mono"}, 2, "rgb565_swapped");
   expect({"bake", kHouseModel, "-o", "house.ino", "--size", "135x240", "--format", "rgb444"}, 2, "even width");
   expect({"bake", kHouseModel, "-o", "house.ino", "--namespace", "panel"}, 2, "--namespace panel");
+  expect({"bake", kHouseModel, "-o", "a folder/"}, 2, "the folder's name is that of the program");
+  expect({"bake", kHouseModel, "-o", "house.ino", "--display", "tft_espi"}, 2, "-o FOLDER/");
+  expect({"bake", kHouseModel, "-o", "house", "--project", "pico"}, 2, "in / (a folder");
+  expect({"bake", kHouseModel, "-o", "house/", "--display", "u8g2"}, 2, "--display");
+  expect({"bake", kHouseModel, "-o", "house/", "--project", "pico", "--display", "lovyangfx"}, 2, "has st7789");
+  expect({"bake", kHouseModel, "-o", "house/", "--display", "tft_espi", "--format", "rgb666"}, 2, "rgb565_swapped");
+  expect({"bake", kHouseModel, "-o", "house/", "--project", "pico", "--size", "480x320"}, 2, "ST7789");
+  expect({"bake", kHouseModel, "-o", "house/", "--project", "pico", "--namespace", "bus"}, 2, "--namespace bus");
+  expect({"bake", kHouseModel, "-o", "house/", "--json", "house/scene.hpp"}, 2, "--json");
   expect({"bake", kHouseModel, "-o", "main.cpp", "--namespace", "player"}, 2, "--namespace player");
   expect({"bake", kHouseModel, "-o", "house.ino", "--visibility", "painter"}, 2, "no --visibility painter");
   expect({"bake", kHouseModel, "-o", "main.cpp", "--visibility", "painter"}, 2, "no --visibility painter");

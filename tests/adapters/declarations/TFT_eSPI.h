@@ -1,4 +1,4 @@
-// Of TFT_eSPI 2.5: the names that the adapter calls.
+// Of TFT_eSPI 2.5: the names that the adapter and its sketch call.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@ class TFT_eSPI {
  public:
   void init(std::uint8_t tab_colour = 0);
   bool initDMA(bool controls_select = false);
+  void setRotation(std::uint8_t rotation);
   std::int16_t width();
   std::int16_t height();
   void setSwapBytes(bool swap);

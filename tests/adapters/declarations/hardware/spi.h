@@ -1,4 +1,4 @@
-// Of the Raspberry Pi Pico SDK 1.5 and 2: the names that the adapter calls.
+// Of the Raspberry Pi Pico SDK 1.5 and 2: the names that the adapter and its program call.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,8 @@
 #include "pico/stdlib.h"
 
 struct spi_inst_t;
+extern spi_inst_t* const spi0;
+uint spi_init(spi_inst_t* spi, uint hertz);
 struct spi_hw_t {
   volatile std::uint32_t dr;
 };

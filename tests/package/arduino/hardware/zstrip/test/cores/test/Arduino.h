@@ -57,7 +57,7 @@ typedef bool boolean;
 typedef uint8_t byte;
 typedef uint16_t word;
 typedef uint8_t pin_size_t;
-static const uint8_t A0 = 14, A1 = 15;
+static const uint8_t A0 = 14, A1 = 15, MOSI = 11, SCK = 13;
 // NOLINTEND
 
 void pinMode(pin_size_t pin, PinMode mode);

@@ -1,0 +1,37 @@
+// Whole folders that show a baked scene: for Arduino, for PlatformIO, for the Raspberry Pi Pico SDK.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bake/baked_scene.hpp"
+#include "bake/program_text.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+enum class ProjectKind : std::uint8_t { arduino, platformio, pico };
+
+struct Project {
+  ProjectKind kind = ProjectKind::arduino;
+  DisplayLibrary display = DisplayLibrary::st7789;  ///< of sketches
+  std::string name;                                 ///< the folder's, which is that of its sketch or program
+};
+
+struct ProjectFile {
+  std::string name;  ///< in the folder
+  std::string text;
+};
+
+/// Returns ExitStatus::usage for names that Arduino or CMake do not take: other characters than letters, digits, '_',
+/// '-' and '.', none at all, more than 63, or a '.' or '-' first.
+Result<Done> check_project_name(const std::string& name);
+
+/// Returns ExitStatus::usage for scenes and pictures that the program does not show.
+Result<Done> check_for_project(const BakedScene& baked, const std::string& name_space, const Project& project);
+
+/// Returns all files but scene.hpp, the scene's header. The same scene always gives the same text.
+std::vector<ProjectFile> project_files(const BakedScene& baked, const std::string& name_space, const Project& project);
+
+}  // namespace zstrip::sim

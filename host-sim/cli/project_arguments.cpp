@@ -1,0 +1,108 @@
+// Folders with a program and its scene; see project_arguments.hpp.
+#include "cli/project_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "cli/one_of.hpp"
+#include "cli/print.hpp"
+#include "image/inputs.hpp"
+#include "image/write_file.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// True if the file has this content and no other.
+bool has_content(const fs::path& path, const std::string& text) {
+  std::ifstream file(path, std::ios::binary);
+  return file && std::string(std::istreambuf_iterator<char>(file), {}) == text;
+}
+
+/// Writes the file unless it is there.
+Result<Done> write_new(const fs::path& path, const std::string& text) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(path, ignored))) {
+    if (!has_content(path, text)) {
+      print_warning(fmt::format("'{}' stays as it is; delete it to have it written anew", path.string()));
+    }
+    return Done{};
+  }
+  return write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "-o");
+}
+
+}  // namespace
+
+void add_project_options(CLI::App& command, ProjectArguments& arguments) {
+  command
+      .add_option(
+          "--project", arguments.project,
+          "What a folder is for: arduino, a sketch (default); platformio, a sketch with a platformio.ini; pico, "
+          "a program for the Raspberry Pi Pico SDK with an ST7789")
+      ->option_text("KIND")
+      ->transform(one_of({"arduino", "platformio", "pico"}));
+  command
+      .add_option("--display", arguments.display,
+                  "What drives the panel of a folder's sketch: st7789, zstrip's own driver (default); tft_espi, "
+                  "lovyangfx or arduino_gfx, which are libraries for Arduino")
+      ->option_text("LIBRARY")
+      ->transform(one_of({"st7789", "tft_espi", "lovyangfx", "arduino_gfx"}));
+}
+
+Result<Done> check_no_project(const ProjectArguments& arguments) {
+  if (!arguments.project && !arguments.display) return Done{};
+  return Failure{ExitStatus::usage, fmt::format("{} is of a folder with a whole program: -o FOLDER/",
+                                                arguments.project ? "--project" : "--display")};
+}
+
+Result<Project> parse_project(const ProjectArguments& arguments, const std::string& output) {
+  Project project;
+  if (arguments.project == "platformio") project.kind = ProjectKind::platformio;
+  if (arguments.project == "pico") project.kind = ProjectKind::pico;
+  if (arguments.display == "tft_espi") project.display = DisplayLibrary::tft_espi;
+  if (arguments.display == "lovyangfx") project.display = DisplayLibrary::lovyangfx;
+  if (arguments.display == "arduino_gfx") project.display = DisplayLibrary::arduino_gfx;
+  if (project.kind == ProjectKind::pico && project.display != DisplayLibrary::st7789) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--display {} is a library for Arduino; --project pico has st7789", *arguments.display)};
+  }
+  std::error_code error;
+  const fs::path whole = fs::absolute(output, error).lexically_normal();
+  project.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+  if (const Result<Done> named = check_project_name(project.name); !named) return named.failure();
+  return project;
+}
+
+PlanArguments plan_arguments_for_project(PlanArguments plan, const Project& project) {
+  if (!plan.view.size) plan.view.size = "240x240";
+  if (!plan.view.format) plan.view.format = "rgb565_swapped";
+  const bool by_dma = project.kind == ProjectKind::pico || project.display == DisplayLibrary::tft_espi ||
+                      project.display == DisplayLibrary::lovyangfx;
+  if (by_dma) plan.strip_buffers = 2;
+  return plan;
+}
+
+Result<Done> write_project(const std::string& output, std::span<const std::uint8_t> header,
+                           std::span<const ProjectFile> files) {
+  const fs::path folder = output;
+  const fs::path scene = folder / "scene.hpp";
+  if (const Result<Done> checked = check_no_input(scene, "-o"); !checked) return checked.failure();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder, error)) {
+    return Failure{ExitStatus::output, fmt::format("cannot create the folder '{}': {}; choose another place with -o",
+                                                   output, error ? error.message() : "a file has this name")};
+  }
+  if (const Result<Done> written = write_file(scene, header, "-o"); !written) return written.failure();
+  for (const ProjectFile& file : files) {
+    if (const Result<Done> written = write_new(folder / file.name, file.text); !written) return written.failure();
+  }
+  return Done{};
+}
+
+}  // namespace zstrip::sim
