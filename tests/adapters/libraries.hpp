@@ -26,6 +26,8 @@ std::unique_ptr<panel::AnyDisplay> open_lovyangfx();
 std::unique_ptr<panel::AnyDisplay> open_arduino_gfx();
 std::unique_ptr<panel::AnyDisplay> open_esp_lcd();
 std::unique_ptr<panel::AnyDisplay> open_pico();
+std::unique_ptr<panel::AnyDisplay> open_stm32();  ///< blocks
+std::unique_ptr<panel::AnyDisplay> open_stm32_dma();
 std::unique_ptr<panel::AnyDisplay> open_lvgl();
 std::unique_ptr<panel::AnyDisplay> open_zephyr();              ///< low byte first
 std::unique_ptr<panel::AnyDisplay> open_zephyr_swapped();      ///< high byte first
