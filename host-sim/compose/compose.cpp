@@ -104,6 +104,9 @@ class Composer {
             "model '{}': its skin stands as it is at rest; zstrip render and bake of the model itself move it",
             entry.name));
       }
+      if (const Result<Done> joined = join_clips(entry, composed_->models.back(), file_.path); !joined) {
+        return joined.failure();
+      }
       Result<PlacedModel> placed = place_model(entry, composed_->models.back(), file_.path);
       if (!placed) return placed.failure();
       models_.push_back(std::move(*placed));

@@ -25,6 +25,8 @@ constexpr std::pair<std::string_view, bool> kLayers[] = {{"static", true}, {"mov
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {{"linear", Interpolation::linear},
                                                                           {"step", Interpolation::step}};
 
+constexpr double kFade = 0.25;  // seconds, from one clip to the next
+
 template <typename Value>
 void add_key(Curve<Value>& curve, double time, const std::optional<Value>& value) {
   if (!value) return;
@@ -72,7 +74,16 @@ FileModel read_model_table(TomlTable& table) {
   model.up = table.choice("up", kAxes);
   model.animation = table.text("animation");
   model.animation_line = table.line_of("animation");
-  for (const char* key : {"up", "animation"}) {
+  for (TomlTable& clip : table.tables("clip", "[[model.clip]]")) {
+    FileClip& step = model.clips.emplace_back();
+    step.line = clip.line();
+    step.animation = clip.needed_text("animation", "'animation' is missing: the name of one of the file");
+    step.seconds = clip.number("seconds", {0.01, kMaxAnimation}).value_or(0);
+    step.fade = clip.number("fade", {0, kMaxAnimation}).value_or(kFade);
+    clip.finish();
+  }
+  if (table.has("clip") && table.has("animation")) table.wrong("animation", "give either 'animation' or 'clip'");
+  for (const char* key : {"up", "animation", "clip"}) {
     if (table.has("built_in") && table.has(key)) table.wrong(key, fmt::format("'{}' goes with 'file'", key));
   }
   table.finish();

@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "import/quantise.hpp"
+#include "motion/clip_sequence.hpp"
+#include "motion/fitted_animation.hpp"
 #include "render/model_animation.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
@@ -16,8 +20,36 @@ Affine PlacedModel::placed(const ModelPart& part, double seconds) const {
   return moved_from_rest(*model, *animation, part.node, seconds) * part.to_file;
 }
 
+Result<Done> join_clips(const FileModel& entry, Model& model, const std::filesystem::path& scene) {
+  if (entry.clips.empty()) return Done{};
+  std::vector<ClipStep> steps;
+  double seconds = 0;
+  for (const FileClip& clip : entry.clips) {
+    const Result<const NodeAnimation*> found = find_animation(model, clip.animation);
+    if (!found) return at_line(scene, clip.line, "[[model.clip]]: " + found.failure().message);
+    ClipStep& step = steps.emplace_back();
+    step.clip = *found;
+    step.seconds = clip.seconds > 0 ? clip.seconds : step.clip->duration;
+    step.fade = clip.fade;
+    if (step.fade > step.seconds) {
+      return at_line(scene, clip.line,
+                     fmt::format("[[model.clip]]: its fade of {} s must end within its {} s", step.fade, step.seconds));
+    }
+    seconds += step.seconds;
+  }
+  if (seconds > kMaxAnimation) {
+    return at_line(scene, entry.clips.back().line,
+                   fmt::format("[[model.clip]]: all clips together must be {} s at most", kMaxAnimation));
+  }
+  NodeAnimation joined = joined_clips(model.tree, steps);
+  model.tree.animations.push_back(std::move(joined));
+  return Done{};
+}
+
 Result<PlacedModel> place_model(const FileModel& entry, const Model& model, const std::filesystem::path& scene) {
-  const Result<const NodeAnimation*> animation = find_animation(model, entry.animation);
+  const Result<const NodeAnimation*> animation = entry.clips.empty()
+                                                     ? find_animation(model, entry.animation)
+                                                     : Result<const NodeAnimation*>(&model.tree.animations.back());
   if (!animation) return at_line(scene, entry.animation_line, animation.failure().message);
   PlacedModel placed{.parts = {},
                      .materials = model.materials,

@@ -45,7 +45,9 @@ struct PlacedModel {
   Affine placed(const ModelPart& part, double seconds) const;
 };
 
-/// `model`: the result of import_model for the same entry.
+/// Adds the sequence of the entry's clips, if it has any, to the model's animations.
+Result<Done> join_clips(const FileModel& entry, Model& model, const std::filesystem::path& scene);
+/// `model`: the result of import_model for the same entry, after join_clips.
 Result<PlacedModel> place_model(const FileModel& entry, const Model& model, const std::filesystem::path& scene);
 Result<PlacedModel> place_built_in(const FileModel& entry, const std::filesystem::path& scene);
 

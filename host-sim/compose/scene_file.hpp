@@ -61,6 +61,14 @@ struct FileCamera {
   std::optional<double> near_plane, far_plane;
 };
 
+/// A part of a [[model]]: one step of a sequence of its animations.
+struct FileClip {
+  int line = 0;
+  std::string animation;  ///< its name in the file
+  double seconds = 0;     ///< > 0; 0: as long as the animation
+  double fade = 0;        ///< seconds, at most `seconds`
+};
+
 /// [[model]]: exactly one of `file` and `built_in` is set.
 struct FileModel {
   int line = 0;
@@ -71,6 +79,7 @@ struct FileModel {
   std::optional<UpAxis> up{};  ///< empty: the axis of the format
   std::optional<std::string> animation;
   int animation_line = 0;
+  std::vector<FileClip> clips{};  ///< instead of `animation`; empty: none
 };
 
 /// [[material]]: values that are set replace those of the model's material.

@@ -47,13 +47,17 @@ const NodeCurves* curves_of(const NodeAnimation& animation, std::int32_t node) {
 
 const Node& node_at(const NodeTree& tree, std::int32_t index) { return tree.nodes[static_cast<std::size_t>(index)]; }
 
-Affine placed(const Node& node, const NodeCurves* curves, double seconds) {
-  if (curves == nullptr) return node.at_rest;
+Placement placement_of(const Node& node, const NodeCurves* curves, double seconds) {
   Placement placement = node.parts ? *node.parts : to_placement(node.at_rest);
+  if (curves == nullptr) return placement;
   if (!curves->translation.times.empty()) placement.translation = sample(curves->translation, seconds);
   if (!curves->rotation.times.empty()) placement.rotation = sample(curves->rotation, seconds);
   if (!curves->scale.times.empty()) placement.scale = sample(curves->scale, seconds);
-  return to_affine(placement);
+  return placement;
+}
+
+Affine placed(const Node& node, const NodeCurves* curves, double seconds) {
+  return curves == nullptr ? node.at_rest : to_affine(placement_of(node, curves, seconds));
 }
 
 }  // namespace
@@ -80,6 +84,10 @@ Affine NodeTree::at(const NodeAnimation& animation, std::int32_t node, double se
 Affine NodeTree::local(const NodeAnimation* animation, std::int32_t node, double seconds) const {
   const Node& at = node_at(*this, node);
   return at.before * placed(at, animation == nullptr ? nullptr : curves_of(*animation, node), seconds);
+}
+
+Placement NodeTree::placement(const NodeAnimation& animation, std::int32_t node, double seconds) const {
+  return placement_of(node_at(*this, node), curves_of(animation, node), seconds);
 }
 
 bool NodeTree::moves(const NodeAnimation& animation, std::int32_t node) const {

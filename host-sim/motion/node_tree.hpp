@@ -60,6 +60,9 @@ struct NodeTree {
   /// Returns the map from the node to its parent's coordinates, `seconds` after the start; at rest without an
   /// animation.
   Affine local(const NodeAnimation* animation, std::int32_t node, double seconds) const;
+  /// Returns the node's own placement, without Node::before, `seconds` after the start; at rest if the animation does
+  /// not move it.
+  Placement placement(const NodeAnimation& animation, std::int32_t node, double seconds) const;
   /// True if this animation moves the node itself or an ancestor.
   bool moves(const NodeAnimation& animation, std::int32_t node) const;
 };

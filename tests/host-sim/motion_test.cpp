@@ -1,10 +1,13 @@
 // Motions and the keyframes made of them, judged by rotations written out by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "import/quantise.hpp"
+#include "motion/clip_sequence.hpp"
 #include "motion/fitted_animation.hpp"
 #include "motion/node_tree.hpp"
 
@@ -139,6 +142,58 @@ TEST(Motion, NodesMoveWithTheirParents) {
   animation.moved = {parent, child};
   EXPECT_LT(largest_difference(tree.at_rest(1), translation({2, 1, 0})), 1e-12);
   EXPECT_LT(largest_difference(tree.at(animation, 1, 0.5), turned_about_y(45, {7, 1, 0}, 1)), 1e-12);
+}
+
+/// One clip turns by 90 degrees a second, the other stands at -30; angles are worked out by hand.
+TEST(Motion, ClipsFadeIntoTheNext) {
+  NodeTree tree;
+  tree.nodes = {{.parent = kNoNode, .before = translation({0, 1, 0}), .at_rest = translation({2, 0, 0})}};
+  NodeAnimation turns{.name = "turns", .duration = 1, .moved = {}};
+  NodeAnimation stands{.name = "stands", .duration = 2, .moved = {}};
+  NodeCurves turning, standing;
+  turning.rotation = {
+      .times = {0, 1}, .values = {{0, 0, 0, 1}, about_axis({0, 1, 0}, 90)}, .slopes_in = {}, .slopes_out = {}};
+  standing.rotation = {.times = {0}, .values = {about_axis({0, 1, 0}, -30)}, .slopes_in = {}, .slopes_out = {}};
+  standing.translation = {.times = {0}, .values = {{4, 0, 0}}, .slopes_in = {}, .slopes_out = {}};
+  turns.moved = {turning};
+  stands.moved = {standing};
+  const std::array<ClipStep, 2> steps{
+      {{.clip = &turns, .seconds = 1.5, .fade = 0.5}, {.clip = &stands, .seconds = 1, .fade = 0.5}}};
+  const NodeAnimation joined = joined_clips(tree, steps);
+  EXPECT_DOUBLE_EQ(joined.duration, 2.5);
+  struct Pose {
+    double seconds, degrees, x;
+  };
+  for (const Pose& pose : {Pose{0, -30, 4},       // fades from the last step, which goes on
+                           Pose{0.25, -3.75, 3},  // half of -30 and of 22.5
+                           Pose{0.75, 67.5, 2},   // the first clip alone, whose file moves it by nothing
+                           Pose{1.25, 22.5, 2},   // it has begun again
+                           Pose{1.75, 18.75, 3},  // half of 67.5, where the first would be, and of -30
+                           Pose{2.25, -30, 4}}) {
+    EXPECT_LT(largest_difference(tree.at(joined, 0, pose.seconds), turned_about_y(pose.degrees, {pose.x, 1, 0}, 1)),
+              1e-9)
+        << pose.seconds;
+  }
+}
+
+/// Without a fade the pose before is shown until the last moment.
+TEST(Motion, ClipsWithoutAFadeJump) {
+  NodeTree tree;
+  tree.nodes = {{.parent = kNoNode, .before = {}, .at_rest = {}}};
+  std::array<NodeAnimation, 2> clips;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const double x = i == 0 ? 1 : 5;
+    NodeCurves curves;
+    curves.translation = {.times = {0}, .values = {{x, 0, 0}}, .slopes_in = {}, .slopes_out = {}};
+    clips[i] = {.name = "a", .duration = 1, .moved = {curves}};
+  }
+  const std::array<ClipStep, 2> steps{{{.clip = &clips[0], .seconds = 0.4}, {.clip = &clips[1], .seconds = 0.6}}};
+  const NodeAnimation joined = joined_clips(tree, steps);
+  const auto x_at = [&](double seconds) { return tree.at(joined, 0, seconds).m[0][3]; };
+  EXPECT_EQ(x_at(0), 1);
+  EXPECT_EQ(x_at(0.3998), 1);
+  EXPECT_EQ(x_at(0.4), 5);
+  EXPECT_EQ(x_at(0.9998), 5);
 }
 
 /// Damaged animations are refused, not posed.

@@ -30,6 +30,24 @@ TEST(SceneFile, PointLightOnAnEllipsoid) {
   EXPECT_EQ(parsed("[[material]]\nname = 'a'\nlit = false\n" + ellipsoid + light).ellipsoids.size(), 1U);
 }
 
+TEST(SceneFile, ClipsOfAModel) {
+  const std::string model = "[[model]]\nname = 'a'\nfile = 'a.glb'\n", use = "[[instance]]\nmodel = 'a'\n";
+  const SceneFile file =
+      parsed(model + "clip = [{ animation = 'Walk', seconds = 2 }, { animation = 'Run', fade = 0.4 }]\n" + use);
+  ASSERT_EQ(file.models[0].clips.size(), 2U);
+  EXPECT_EQ(file.models[0].clips[0].animation, "Walk");
+  EXPECT_EQ(file.models[0].clips[0].seconds, 2);
+  EXPECT_EQ(file.models[0].clips[0].fade, 0.25);
+  EXPECT_EQ(file.models[0].clips[1].seconds, 0) << "as long as the animation";
+  EXPECT_EQ(file.models[0].clips[1].fade, 0.4);
+  EXPECT_EQ(failure(model + "animation = 'Walk'\nclip = [{ animation = 'Run' }]\n" + use),
+            "'scene.toml' line 4: [[model]]: give either 'animation' or 'clip'");
+  EXPECT_EQ(failure(model + "clip = [{ seconds = 2 }]\n" + use),
+            "'scene.toml' line 4: [[model.clip]]: 'animation' is missing: the name of one of the file");
+  EXPECT_NE(failure(model + "clip = [{ animation = 'Run', fade = -1 }]\n" + use).find("'fade' must be"),
+            std::string::npos);
+}
+
 /// It was told that 'end' is less than 'start'.
 TEST(SceneFile, FogWithoutItsEnd) {
   EXPECT_EQ(failure(kCube + "[fog]\nstart = 2\n"),

@@ -30,6 +30,26 @@ TEST_F(ScenePicture, DitheredSceneHasOneChecksum) {
   EXPECT_NE(drawn({"--no-dither"}), golden);
 }
 
+/// The failure names the line of the clip.
+TEST_F(ScenePicture, ClipsThatTheModelLacksAreErrors) {
+  const auto message = [&](const std::string& clip) {
+    file("clips.toml", "[[model]]\nname = 'a'\nfile = '" ZSTRIP_SCENE_FILES "/figure/figure.gltf'\nclip = [" + clip +
+                           "]\n[[instance]]\nmodel = 'a'\n");
+    const Outcome outcome = zstrip({"render", "clips.toml", "-o", "a.png"});
+    EXPECT_EQ(outcome.status, 4) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(message("{ animation = 'walk' }, { animation = 'fly' }")
+                .find("line 4: [[model.clip]]: there is no animation 'fly' in the file; it has 'walk', 'wave'"),
+            std::string::npos);
+  EXPECT_NE(message("{ animation = 'walk', seconds = 0.1, fade = 0.2 }")
+                .find("line 4: [[model.clip]]: its fade of 0.2 s must end within its 0.1 s"),
+            std::string::npos);
+  EXPECT_NE(message("{ animation = 'walk', seconds = 3000 }, { animation = 'wave', seconds = 3000 }")
+                .find("line 4: [[model.clip]]: all clips together must be 3600 s at most"),
+            std::string::npos);
+}
+
 /// As many as the option or the scene file says; in strips of any height and on any threads.
 TEST_F(ScenePicture, SamplesAreAveraged) {
   const auto report_of = [&](const std::string& scene, const std::vector<std::string>& options) {

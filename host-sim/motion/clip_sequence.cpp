@@ -1,0 +1,69 @@
+// Joins animations of a model to one: each is shown for some seconds, and fades into the next.
+#include "motion/clip_sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr double kValuesPerSecond = 60;
+constexpr double kJump = 1e-4;  // seconds that a step without a fade takes to begin
+
+Placement placement_of(const NodeTree& tree, const NodeAnimation& clip, std::int32_t node, double seconds) {
+  return tree.placement(clip, node, seconds > clip.duration ? std::fmod(seconds, clip.duration) : seconds);
+}
+
+Vector mixed(const Vector& a, const Vector& b, double share) {
+  return {a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share};
+}
+
+/// Returns the placement of a node `seconds` after the start of step `i`.
+Placement at(const NodeTree& tree, std::span<const ClipStep> steps, std::size_t i, std::int32_t node, double seconds) {
+  const ClipStep& step = steps[i];
+  const Placement own = placement_of(tree, *step.clip, node, seconds);
+  if (seconds >= step.fade) return own;
+  const ClipStep& before = steps[(i + steps.size() - 1) % steps.size()];
+  const Placement other = placement_of(tree, *before.clip, node, before.seconds + seconds);
+  const double share = seconds / step.fade;
+  return {mixed(other.translation, own.translation, share), between(unit(other.rotation), unit(own.rotation), share),
+          mixed(other.scale, own.scale, share)};
+}
+
+}  // namespace
+
+NodeAnimation joined_clips(const NodeTree& tree, std::span<const ClipStep> steps) {
+  NodeAnimation joined;
+  std::set<std::int32_t> nodes;
+  std::vector<std::pair<std::size_t, double>> times;  // a step, and seconds after its start
+  std::vector<double> starts;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (const NodeCurves& curves : steps[i].clip->moved) nodes.insert(curves.node);
+    starts.push_back(joined.duration);
+    const bool next_jumps = steps[(i + 1) % steps.size()].fade == 0;
+    const double last = steps[i].seconds - (next_jumps ? std::min(kJump, steps[i].seconds / 2) : 0);
+    const double count = std::ceil(last * kValuesPerSecond);
+    for (double k = 0; k < count; ++k) times.emplace_back(i, last * k / count);
+    if (next_jumps || i + 1 == steps.size()) times.emplace_back(i, last);
+    joined.duration += steps[i].seconds;
+  }
+  for (const std::int32_t node : nodes) {
+    NodeCurves& curves = joined.moved.emplace_back();
+    curves.node = node;
+    for (const auto& [step, seconds] : times) {
+      const Placement placement = at(tree, steps, step, node, seconds);
+      for (std::vector<double>* const to : {&curves.translation.times, &curves.rotation.times, &curves.scale.times}) {
+        to->push_back(starts[step] + seconds);
+      }
+      curves.translation.values.push_back(placement.translation);
+      curves.rotation.values.push_back(placement.rotation);
+      curves.scale.values.push_back(placement.scale);
+    }
+  }
+  return joined;
+}
+
+}  // namespace zstrip::sim
