@@ -58,6 +58,7 @@ const kEffects = {
   table: {scene: 'table.toml', turn: 18},
   rooms: {scene: 'rooms.toml', turn: 18},
   first_turns: {scene: 'first.toml', swing: 3, size: '200x150'},
+  clips: {scene: 'clips.toml', frames: 48, size: '160x160', milliseconds: 167, colours: 64},
 };
 
 function read(file) {
@@ -124,7 +125,9 @@ for (const name of names.length ? names : Object.keys(kEffects)) {
           path.join(folder, `${String(n).padStart(3, '0')}.ppm`),
           joined(columns.map((files) => read(files[frame])), times)));
   const file = path.join(images, `${name}.png`);
-  execFileSync('node', [kAnimate, folder, String(shown.length * (effect.turn ? 160 : 110)), file, String(colours)]);
+  execFileSync('node', [
+    kAnimate, folder, String(shown.length * (effect.milliseconds ?? (effect.turn ? 160 : 110))), file, String(colours)
+  ]);
   fs.rmSync(scratch, {recursive: true});
   console.log(`${file}: ${shown.length} frames, ${fs.statSync(file).size} bytes`);
 }

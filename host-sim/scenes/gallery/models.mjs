@@ -79,8 +79,8 @@ export function occluded(mesh, {others = [], reach = 1, rays = 48, dark = [0.3, 
 
 const BYTE = 5120, SHORT = 5123, FLOAT = 5126;
 
-// Writes a binary glTF file. parts: {material name: mesh of welded()}; one node. Texture coordinates only where wanted.
-export function writeModel(file, parts, {texcoords = false} = {}) {
+// Collects the parts of a binary glTF file.
+function packer(texcoords) {
   const chunks = [], bufferViews = [], accessors = [];
   let size = 0, triangles = 0, vertices = 0;
   const put = (buffer, accessor, byteStride) => {
@@ -92,9 +92,9 @@ export function writeModel(file, parts, {texcoords = false} = {}) {
   };
   const floats = (rows) => Buffer.from(new Float32Array(rows.flat()).buffer);
   const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
-  const names = Object.keys(parts);
-  const primitives = names.map((name, material) => {
-    const mesh = parts[name], count = mesh.vertices.length, places = mesh.vertices.map((v) => v.position);
+  // Returns the primitive of a mesh of welded().
+  const primitive = (mesh, material) => {
+    const count = mesh.vertices.length, places = mesh.vertices.map((v) => v.position);
     const bound = (f) => [0, 1, 2].map((i) => Math.fround(f(...places.map((p) => p[i]))));
     vertices += count;
     triangles += mesh.triangles.length;
@@ -119,28 +119,84 @@ export function writeModel(file, parts, {texcoords = false} = {}) {
         put(Buffer.from(new Uint16Array(mesh.triangles.flat()).buffer),
             {componentType: SHORT, count: 3 * mesh.triangles.length, type: 'SCALAR'});
     return {attributes, indices, material};
+  };
+  // Returns the accessor of keyframes' times, or of their values, which are lists.
+  const times = (values) => put(floats(values), {
+    componentType: FLOAT,
+    count: values.length,
+    type: 'SCALAR',
+    min: [values[0]],
+    max: [Math.fround(values.at(-1))]
   });
-  const text = JSON.stringify({
-    asset: {version: '2.0', copyright: 'public domain'},
-    extensionsUsed: ['KHR_mesh_quantization'],
-    extensionsRequired: ['KHR_mesh_quantization'],
-    scene: 0,
-    scenes: [{nodes: [0]}],
-    nodes: [{mesh: 0}],
-    meshes: [{primitives}],
-    materials: names.map((name) => ({name, pbrMetallicRoughness: {metallicFactor: 0}})),
-    accessors,
-    bufferViews,
-    buffers: [{byteLength: size}],
+  const keys = (values) =>
+      put(floats(values), {componentType: FLOAT, count: values.length, type: values[0].length === 4 ? 'VEC4' : 'VEC3'});
+  const write = (file, materials, content) => {
+    const text = JSON.stringify({
+      asset: {version: '2.0', copyright: 'public domain'},
+      extensionsUsed: ['KHR_mesh_quantization'],
+      extensionsRequired: ['KHR_mesh_quantization'],
+      scene: 0,
+      ...content,
+      materials: materials.map((name) => ({name, pbrMetallicRoughness: {metallicFactor: 0}})),
+      accessors,
+      bufferViews,
+      buffers: [{byteLength: size}],
+    });
+    const json = Buffer.from(text + ' '.repeat((4 - Buffer.byteLength(text) % 4) % 4));
+    const head = (length, type) => Buffer.from(new Uint32Array([length, type]).buffer);
+    fs.writeFileSync(file, Buffer.concat([
+      Buffer.from(new Uint32Array([0x46546c67, 2, 28 + json.length + size]).buffer),
+      head(json.length, 0x4e4f534a),
+      json,
+      head(size, 0x004e4942),
+      ...chunks,
+    ]));
+    console.log(`${file}: ${triangles} triangles, ${vertices} vertices`);
+  };
+  return {primitive, times, keys, write};
+}
+
+// Writes a binary glTF file. parts: {material name: mesh of welded()}; one node. Texture coordinates only where wanted.
+export function writeModel(file, parts, {texcoords = false} = {}) {
+  const {primitive, write} = packer(texcoords);
+  const primitives = Object.values(parts).map(primitive);
+  write(file, Object.keys(parts), {scenes: [{nodes: [0]}], nodes: [{mesh: 0}], meshes: [{primitives}]});
+}
+
+// Writes a binary glTF file of parts that move each other. bones: [{name, parent, at, mesh}], those above first; `at`
+// is where the bone's joint is, seen from the joint above. clips: {name: {seconds, keys, pose(share)}}; pose() of 0 to
+// 1 is {bone's name: {turn: degrees about x, then y, then z; move: from its place}}.
+export function writeFigure(file, bones, clips) {
+  const {primitive, times, keys, write} = packer(false);
+  const meshes = bones.map(({mesh}) => ({primitives: [primitive(mesh, 0)]}));
+  const nodes = bones.map(({name, at}, mesh) => ({name, mesh, translation: at}));
+  bones.forEach(({name}, i) => {
+    const children = bones.flatMap(({parent}, k) => (parent === name ? [k] : []));
+    if (children.length) nodes[i].children = children;
   });
-  const json = Buffer.from(text + ' '.repeat((4 - Buffer.byteLength(text) % 4) % 4));
-  const head = (length, type) => Buffer.from(new Uint32Array([length, type]).buffer);
-  fs.writeFileSync(file, Buffer.concat([
-    Buffer.from(new Uint32Array([0x46546c67, 2, 28 + json.length + size]).buffer),
-    head(json.length, 0x4e4f534a),
-    json,
-    head(size, 0x004e4942),
-    ...chunks,
-  ]));
-  console.log(`${file}: ${triangles} triangles, ${vertices} vertices`);
+  const quaternion = (turn) => {
+    const [x, y, z] = turn.map((degrees) => degrees * Math.PI / 360), {sin, cos} = Math;
+    return [
+      sin(x) * cos(y) * cos(z) - cos(x) * sin(y) * sin(z), cos(x) * sin(y) * cos(z) + sin(x) * cos(y) * sin(z),
+      cos(x) * cos(y) * sin(z) - sin(x) * sin(y) * cos(z), cos(x) * cos(y) * cos(z) + sin(x) * sin(y) * sin(z)
+    ];
+  };
+  const animations = Object.entries(clips).map(([name, {seconds, keys: count, pose}]) => {
+    const shares = Array.from({length: count + 1}, (_, i) => i / count), poses = shares.map(pose);
+    const input = times(shares.map((share) => share * seconds)), samplers = [], channels = [];
+    bones.forEach((bone, node) => {
+      const add = (path, values) => {
+        samplers.push({input, output: keys(values)});
+        channels.push({sampler: samplers.length - 1, target: {node, path}});
+      };
+      if (poses.some((p) => p[bone.name]?.turn)) {
+        add('rotation', poses.map((p) => quaternion(p[bone.name]?.turn ?? [0, 0, 0])));
+      }
+      if (poses.some((p) => p[bone.name]?.move)) {
+        add('translation', poses.map((p) => bone.at.map((v, i) => v + (p[bone.name]?.move?.[i] ?? 0))));
+      }
+    });
+    return {name, samplers, channels};
+  });
+  write(file, ['figure'], {scenes: [{nodes: [0]}], nodes, meshes, animations});
 }
