@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # generated.sh ROOT: model files that a program beside them makes are what it makes: FOLDER/generate.mjs, run by node,
-# prints FOLDER/FOLDER.gltf; gallery/SCENE.mjs writes all that is in gallery/SCENE.
+# prints FOLDER/FOLDER.gltf; SCENE.mjs, beside SCENE.toml, writes all that is in the folder SCENE.
 set -euo pipefail
 cd "$1"
 command -v node >/dev/null || { echo "node is not installed"; exit 77; }
 made=$(mktemp)
-gallery=$(mktemp -d)
-trap 'rm -rf "$made" "$gallery"' EXIT
+scenes=$(mktemp -d)
+trap 'rm -rf "$made" "$scenes"' EXIT
 failed=0
 compared=0
 while IFS= read -r program; do
@@ -19,15 +19,17 @@ while IFS= read -r program; do
     failed=1
   fi
 done < <(find host-sim/scenes -name generate.mjs | sort)
-cp host-sim/scenes/gallery/*.{mjs,toml} "$gallery"
-for scene in host-sim/scenes/gallery/*.toml; do
-  name=$(basename "$scene" .toml)
-  mkdir "$gallery/$name"
-  (cd "$gallery" && node "$name.mjs" >/dev/null)
-  if ! diff -r "$gallery/$name" "${scene%.toml}"; then
-    echo "${scene%.toml} is not what $name.mjs makes: cd host-sim/scenes/gallery && node $name.mjs"
+(cd host-sim/scenes && find . -name '*.mjs' -o -name '*.toml') | tar -C host-sim/scenes -cT - | tar -C "$scenes" -x
+while IFS= read -r program; do
+  scene=${program%.mjs} name=$(basename "$program" .mjs)
+  [ -e "$scene.toml" ] || continue
+  made_scene=$scenes/${scene#host-sim/scenes/}
+  mkdir "$made_scene"
+  (cd "$(dirname "$made_scene")" && node "$name.mjs" >/dev/null)
+  if ! diff -r "$made_scene" "$scene"; then
+    echo "$scene is not what $name.mjs makes: cd $(dirname "$scene") && node $name.mjs"
     failed=1
   fi
-done
+done < <(find host-sim/scenes -name '*.mjs' | sort)
 [ "$compared" -gt 0 ] || { echo "host-sim/scenes holds no generate.mjs"; failed=1; }
 exit "$failed"

@@ -1,6 +1,6 @@
-// Makes the models of clips.toml. Public domain. Run: node generate.mjs
-import {occluded, welded, writeFigure, writeModel} from '../gallery/models.mjs';
-import {ball, box, lathe, mix, placed, polygon, random, rgb, tube} from '../gallery/shapes.mjs';
+// Makes the models of clips.toml. Public domain. Run: node clips.mjs
+import {occluded, welded, writeFigure, writeModel} from './gallery/models.mjs';
+import {ball, box, lathe, mix, placed, polygon, random, rgb, tube} from './gallery/shapes.mjs';
 
 const kSkin = '#fcc59c', kHair = '#5a3524', kShirt = '#f2584a', kTrousers = '#31508f', kShoe = '#fdf6e8',
       kCap = '#2f7fd8';
@@ -80,7 +80,7 @@ const gait = ({stride, knee, rest, arms, elbow, spread, lean, bob, twist}) => (s
     ...leg('right', 0.5),
   };
 };
-writeFigure('runner.glb', bones, {
+writeFigure('clips/runner.glb', bones, {
   walk: {
     seconds: 1,
     keys: 16,
@@ -173,9 +173,9 @@ const grown = [
       .flat(),
 ];
 writeModel(
-    'planet.glb',
+    'clips/planet.glb',
     {planet: occluded(welded([...planet, ...grown], 35), {reach: 0.5, rays: 32, dark: [0.4, 0.46, 0.5]})});
 // The dark place below the runner stays where it is.
 const shade = placed(ball(kRadius + 0.012, 80, 14, '#b8986a'), {})
                   .filter((f) => f.points.every(([x, y, z]) => Math.hypot(x, z) < 0.36 && y > 0));
-writeModel('shade.glb', {shade: welded(shade)});
+writeModel('clips/shade.glb', {shade: welded(shade)});
