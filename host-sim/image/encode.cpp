@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 #include <spng.h>
-#include <turbojpeg.h>
 
 #include <cstdlib>
 #include <memory>
 #include <string>
 
+#include "image/jpeg_writer.hpp"
 #include "image/to_rgb.hpp"
 
 namespace zstrip::sim {
@@ -43,18 +43,8 @@ Result<std::vector<std::uint8_t>> encode_png(const View& view, std::span<const s
 }
 
 Result<std::vector<std::uint8_t>> encode_jpeg(const View& view, std::span<const std::byte> pixels) {
-  constexpr int kQuality = 90;
   const bool grey = is_grey(view.format);
-  const std::vector<std::uint8_t> content = grey ? grey_pixels_of(view, pixels) : rgb_image_of(view, pixels).rgb;
-  const std::unique_ptr<void, decltype(&tjDestroy)> jpeg(tjInitCompress(), &tjDestroy);
-  if (!jpeg) return Failure{ExitStatus::environment, "no memory to write a JPEG"};
-  unsigned char* data = nullptr;
-  unsigned long bytes = 0;
-  const int error = tjCompress2(jpeg.get(), content.data(), view.width, 0, view.height, grey ? TJPF_GRAY : TJPF_RGB,
-                                &data, &bytes, grey ? TJSAMP_GRAY : TJSAMP_444, kQuality, 0);
-  const std::unique_ptr<unsigned char, decltype(&tjFree)> file(data, &tjFree);
-  if (error != 0) return Failure{ExitStatus::internal, fmt::format("JPEG writer: {}", tjGetErrorStr2(jpeg.get()))};
-  return std::vector<std::uint8_t>(data, data + bytes);
+  return write_jpeg(grey ? grey_pixels_of(view, pixels) : rgb_image_of(view, pixels).rgb, view.width, view.height);
 }
 
 std::vector<std::uint8_t> encode_ppm(const View& view, std::span<const std::byte> pixels) {

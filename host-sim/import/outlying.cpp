@@ -32,7 +32,7 @@ double outlying_of(const SourceModel& model) {
   double whole = 0;
   std::vector<double> away(count);  // distance from the middle corner, along the axis where it is largest
   for (const std::vector<double>& along : places) {
-    const auto [low, high] = std::ranges::minmax_element(along);
+    const auto [low, high] = std::minmax_element(along.begin(), along.end());
     whole = std::max(whole, *high - *low);
     const double middle = nth(along, 2);
     for (std::size_t i = 0; i < count; ++i) away[i] = std::max(away[i], std::abs(along[i] - middle));

@@ -1,6 +1,7 @@
 // The parts that a page does without: meshes that Draco has compressed and the workload R10k, which are refused,
-// threads, and signals: a trap ends the module, and the page says so.
+// JPEG files as output, threads, and signals: a trap ends the module, and the page says so.
 #include "play/left_out.hpp"
+#include "image/jpeg_writer.hpp"
 #include "import/crash_guard.hpp"
 #include "import/gltf/draco_meshes.hpp"
 #include "render/parallel.hpp"
@@ -24,6 +25,10 @@ std::optional<Failure> left_out(std::string_view word) {
 
 Result<DracoMesh> decode_draco(const GltfJson&, std::span<const std::uint8_t>) {
   return Failure{ExitStatus::input, "a page does not read what Draco has compressed; the command does"};
+}
+
+Result<std::vector<std::uint8_t>> write_jpeg(std::span<const std::uint8_t>, int, int) {
+  return Failure{ExitStatus::usage, "a page writes no JPEG, but PNG; the command does"};
 }
 
 CrashGuard::CrashGuard(const std::string&, const std::string&, std::chrono::seconds, std::uint64_t) {}

@@ -158,9 +158,9 @@ constexpr auto upper_bound(Range&& range, const Value& value, Compare compare = 
     return std::invoke(compare, bound, std::invoke(projection, item));
   });
 }
-template <class Range1, class Range2>
-constexpr bool equal(Range1&& a, Range2&& b) {
-  return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b));
+template <class Range1, class Range2, class Same = std::equal_to<>>
+constexpr bool equal(Range1&& a, Range2&& b, Same same = {}) {
+  return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b), same);
 }
 template <class Range1, class Range2>
 constexpr auto mismatch(Range1&& a, Range2&& b) {
