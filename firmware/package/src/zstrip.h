@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "zstrip/area.hpp"
 #include "zstrip/zstrip.hpp"
 #include "zstrip_hal/bit_banged_i2c.hpp"
 #include "zstrip_hal/bit_banged_spi.hpp"
@@ -30,7 +31,7 @@
 #include "zstrip_hal/ssd1351.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
-#include "zstrip_player/player.hpp"
+#include "zstrip_player/pick_with.hpp"
 
 #pragma pop_macro("round")
 #pragma pop_macro("min")
