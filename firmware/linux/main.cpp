@@ -28,10 +28,11 @@ constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
   fbdev:/dev/fb0          size=WxH, depth=16|24|32
   drm:/dev/dri/card0      size=WxH, connector=NAME (as --list shows) or all, format=rgb565|xrgb8888
   sdl:WxH@SCALE           a window of the desktop; without WxH as large as the scene was baked, SCALE 1 to 8
-  st7789: ili9341: st7735: ssd1351: ssd1306: ssd0323:  panels on SPI; docs/linux.md has all keys
+  st7789: ili9341: st7735: gc9a01: st7796: ili9342: ssd1351: ssd1306: ssd0323:
+    panels on SPI; docs/linux.md has all keys
     spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE][,miso=LINE]
     dc=LINE[,reset=LINE][,backlight=LINE]
-    id  reads the id of st7789, ili9341 and st7735 before anything is sent, where they have a wire to answer
+    id  reads the id of all but the ssd ones before anything is sent, where they have a wire to answer
   ssd1306:i2c=/dev/i2c-1[,address=0x3D][,reset=LINE]   on I2C, at 0x3c unless told
 A LINE is CHIP:OFFSET (gpiochip0:25) or the line's name.
 

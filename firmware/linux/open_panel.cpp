@@ -1,8 +1,10 @@
 // Opens panels with their own controller: wiring, reset, start sequence, backlight.
 #include "open_panel.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -11,13 +13,16 @@
 #include <utility>
 
 #include "panel_wiring.hpp"
+#include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
+#include "zstrip_hal/ili9342.hpp"
 #include "zstrip_hal/output_pin.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
+#include "zstrip_hal/st7796.hpp"
 #include "zstrip_hal_linux/sleeping_clock.hpp"
 
 namespace zstrip::panel {
@@ -98,6 +103,12 @@ using Ili9341 = hal::Ili9341<Bus, hal::SleepingClock>;
 template <class Bus>
 using St7735 = hal::St7735<Bus, hal::SleepingClock>;
 template <class Bus>
+using Gc9a01 = hal::Gc9a01<Bus, hal::SleepingClock>;
+template <class Bus>
+using St7796 = hal::St7796<Bus, hal::SleepingClock>;
+template <class Bus>
+using Ili9342 = hal::Ili9342<Bus, hal::SleepingClock>;
+template <class Bus>
 using Ssd1351 = hal::Ssd1351<Bus>;
 template <class Bus>
 using Ssd1306 = hal::Ssd1306<Bus>;
@@ -126,6 +137,23 @@ Opened start(const PanelWiring& wiring, std::uint32_t usual_hertz, const Config&
       },
       open->bus);
 }
+
+/// A controller with MIPI's commands.
+struct DcsKind {
+  std::string_view name;
+  const hal::DcsConfig& module;  ///< the usual one
+  std::uint32_t id;
+  std::uint32_t hertz;  ///< the highest clock that the data sheet allows
+  Opened (*start)(const PanelWiring& wiring, std::uint32_t hertz, const hal::DcsConfig& config);
+};
+constexpr DcsKind kDcsKinds[] = {
+    {"st7789", hal::kSt7789Module240x240, hal::St7789Controller::kId, 15'000'000, start<St7789, hal::DcsConfig>},
+    {"ili9341", hal::kIli9341Module240x320, hal::Ili9341Controller::kId, 10'000'000, start<Ili9341, hal::DcsConfig>},
+    {"st7735", hal::kSt7735Module128x160, hal::St7735Controller::kId, 15'000'000, start<St7735, hal::DcsConfig>},
+    {"gc9a01", hal::kGc9a01Module240x240, hal::Gc9a01Controller::kId, 100'000'000, start<Gc9a01, hal::DcsConfig>},
+    {"st7796", hal::kSt7796Module320x480, hal::St7796Controller::kId, 15'000'000, start<St7796, hal::DcsConfig>},
+    {"ili9342", hal::kIli9342Module320x240, hal::Ili9342Controller::kId, 10'000'000, start<Ili9342, hal::DcsConfig>},
+};
 
 /// Takes the key `rotate`, in degrees clockwise, and `mirror`.
 Outcome<hal::Orientation> take_orientation(DisplayAddress& address) {
@@ -198,33 +226,30 @@ Outcome<hal::DcsConfig> take_config(DisplayAddress& address, const hal::DcsConfi
 
 }  // namespace
 
-std::string panel_kinds() { return "st7789 ili9341 st7735 ssd1351 ssd1306 ssd0323"; }
+std::string panel_kinds() {
+  std::string kinds;
+  for (const DcsKind& kind : kDcsKinds) kinds += std::string(kind.name) + ' ';
+  return kinds + "ssd1351 ssd1306 ssd0323";
+}
 
 Opened open_panel(DisplayAddress& address) {
   const auto usage = [](const hal::Fault& fault) { return Failure{ExitStatus::usage, fault.message}; };
   const std::string& kind = address.kind();
-  const bool is_dcs = kind == "st7789" || kind == "ili9341" || kind == "st7735";
+  const auto* const dcs = std::ranges::find(kDcsKinds, std::string_view(kind), &DcsKind::name);
+  const bool is_dcs = dcs != std::end(kDcsKinds);
   if (!is_dcs && kind != "ssd1351" && kind != "ssd1306" && kind != "ssd0323")
     return usage({"there is no display '" + kind + "'; there are fbdev drm sdl " + panel_kinds()});
   const Outcome<PanelWiring> wiring = PanelWiring::take(address);
   if (!wiring) return usage(wiring.fault());
 
   if (is_dcs) {
-    const hal::DcsConfig& module = kind == "st7789"    ? hal::kSt7789Module240x240
-                                   : kind == "ili9341" ? hal::kIli9341Module240x320
-                                                       : hal::kSt7735Module128x160;
-    Outcome<hal::DcsConfig> config = take_config(address, module);
+    Outcome<hal::DcsConfig> config = take_config(address, dcs->module);
     if (!config) return usage(config.fault());
-    const std::uint32_t usual_id = kind == "st7789"    ? hal::St7789Controller::kId
-                                   : kind == "ili9341" ? hal::Ili9341Controller::kId
-                                                       : hal::St7735Controller::kId;
-    const Outcome<std::uint32_t> id = take_id(address, usual_id, wiring->can_read());
+    const Outcome<std::uint32_t> id = take_id(address, dcs->id, wiring->can_read());
     if (!id) return usage(id.fault());
     config->id = *id;
     if (const auto untaken = address.untaken()) return usage(*untaken);
-    if (kind == "st7789") return start<St7789>(*wiring, 15'000'000, *config);
-    if (kind == "ili9341") return start<Ili9341>(*wiring, 10'000'000, *config);
-    return start<St7735>(*wiring, 15'000'000, *config);
+    return dcs->start(*wiring, dcs->hertz, *config);
   }
   if (address.take("id")) return usage(address.fault("id", "cannot be read: this controller has none"));
   const Outcome<hal::Orientation> orientation = take_orientation(address);

@@ -19,17 +19,11 @@ struct Ili9341Controller {
   static constexpr std::uint16_t kRows = 320;
   static constexpr bool kHasBrightness = true;
   static constexpr std::uint32_t kId = 0x009341;
-  /// Read ID4, D3h: an unused parameter, then three bytes. On a serial bus each read returns one byte, and command D9h
-  /// selects which. D9h is not in the data sheet; the libraries of Adafruit and others read these parts with it.
+  /// Command D9h, which selects a byte of ID4, is not in the data sheet; the libraries of Adafruit and others read
+  /// these parts with it.
   template <ReadableBus Bus>
   static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
-    constexpr std::byte kReadIndex{0xD9}, kReadId4{0xD3};
-    constexpr unsigned kByIndex = 0x10;
-    for (unsigned i = 0; i < id.size(); ++i) {
-      if (const Error error = send_command(bus, kReadIndex, kByIndex | (i + 1)); error != Error::none) return error;
-      if (const Error error = bus.read(kReadId4, 0, id.subspan(i, 1)); error != Error::none) return error;
-    }
-    return Error::none;
+    return read_id4(bus, std::byte{0xD9}, id);
   }
   // Level 2 commands; the values are those that the makers of modules agree on.
   // clang-format off

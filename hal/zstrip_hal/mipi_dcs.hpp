@@ -71,6 +71,19 @@ Error read_display_id(Bus& bus, std::span<std::byte, 3> id) {
   return bus.read(std::byte{0x04}, 1, id);
 }
 
+/// Read ID4, D3h, of Ilitek's controllers: an unused parameter, then three bytes. On a serial bus each read returns one
+/// byte; `select` is the command that selects which.
+template <ReadableBus Bus>
+Error read_id4(Bus& bus, std::byte select, std::span<std::byte, 3> id) {
+  constexpr std::byte kReadId4{0xD3};
+  constexpr unsigned kEnable = 0x10;
+  for (unsigned i = 0; i < id.size(); ++i) {
+    if (const Error error = send_command(bus, select, kEnable | (i + 1)); error != Error::none) return error;
+    if (const Error error = bus.read(kReadId4, 0, id.subspan(i, 1)); error != Error::none) return error;
+  }
+  return Error::none;
+}
+
 /// A display that shows what is written at once. `bus` and `clock` must outlive it. Any rectangle may be written; with
 /// rgb444 its width must be even (Error::alignment), as two pixels share a byte.
 template <DcsController Controller, CommandDataBus Bus, Clock Time>
@@ -161,7 +174,7 @@ class DcsPanel {
   }
 
  private:
-  // Commands of the set's user command list; all three controllers have them.
+  // Commands of the set's user command list; all controllers have them.
   static constexpr std::byte kSoftReset{0x01};
   static constexpr std::byte kSleepIn{0x10};
   static constexpr std::byte kSleepOut{0x11};

@@ -11,7 +11,7 @@ namespace zstrip::sim {
 /// numbers, the one that differs least. Of several the first. `names`: at least one.
 std::string_view nearest_name(std::string_view text, std::span<const std::string_view> names);
 
-/// "'st7798' is unknown, did you mean st7789? Known are st7789, ..."; where only numbers are known, of what is none:
+/// "'st778' is unknown, did you mean st7789? Known are st7789, ..."; where only numbers are known, of what is none:
 /// "'four' is no number. Known are 1, 2, 4"; of what is gone: "'w16' is gone: use z24 ... Known are ...". `names`: at
 /// least one.
 std::string unknown_value(std::string_view text, std::span<const std::string_view> names);

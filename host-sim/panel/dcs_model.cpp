@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <random>
 
 namespace zstrip::sim {
@@ -37,6 +38,7 @@ void DcsModel::reset() {
   brightness_ = brightness_control_ = 0;
   scroll_ = 0;
   read_index_ = 0;
+  keys_given_ = 0;
   columns_ = {0, part_.columns - 1U};
   rows_ = {0, part_.rows - 1U};
   command_ = nullptr;
@@ -92,7 +94,7 @@ std::vector<bool> DcsModel::answer(std::uint8_t code) {
     return {};
   }
   std::vector<std::uint8_t> bytes(found->bytes.begin(), found->bytes.begin() + found->count);
-  if (part_.has_read_index && code == 0xD3) {
+  if (part_.read_index != 0 && code == 0xD3) {
     bytes = {read_index_ == 0 || read_index_ > bytes.size() ? std::uint8_t{0} : bytes[read_index_ - 1]};
   }
   read_index_ = 0;
@@ -111,6 +113,7 @@ void DcsModel::begin(std::uint8_t code) {
     complain(fmt::format("the {} has no command {:02X}h", part_.name, code));
     return;
   }
+  if (command_->is_locked && keys_given_ < part_.keys.size()) complain_of("a command that is locked");
   if (command_->fewest == 0) parameters_complete();
 }
 
@@ -155,10 +158,26 @@ void DcsModel::parameters_complete() {
       break;
     case 0x51: brightness_ = parameters_[0]; break;
     case 0x53: brightness_control_ = parameters_[0]; break;
-    case 0xD9:
-      if (part_.has_read_index) read_index_ = (parameters_[0] & 0x10) != 0 ? parameters_[0] & 0x0FU : 0;
-      break;
     default: break;  // voltages, timing: any value shows a picture
+  }
+  if (part_.read_index != 0 && code_ == part_.read_index)
+    read_index_ = (parameters_[0] & 0x10) != 0 ? parameters_[0] & 0x0FU : 0;
+  turn_key();
+}
+
+/// Commands are unlocked as long as all keys are given. A reset takes them back.
+void DcsModel::turn_key() {
+  const auto fits = [this](const DcsKey& key) {
+    return key.code == code_ && std::equal(parameters_.begin(), parameters_.end(), key.parameters.begin(),
+                                           key.parameters.begin() + key.count);
+  };
+  const auto is_key = [this](const DcsKey& key) { return key.code == code_; };
+  if (std::ranges::none_of(part_.keys, is_key)) return;
+  if (keys_given_ == part_.keys.size() && std::ranges::any_of(part_.keys, fits)) return;
+  if (keys_given_ < part_.keys.size() && fits(part_.keys[keys_given_])) {
+    ++keys_given_;
+  } else {
+    keys_given_ = fits(part_.keys.front()) ? 1 : 0;
   }
 }
 
@@ -233,6 +252,16 @@ std::optional<unsigned> DcsModel::brightness() const {
   return (brightness_control_ & kBlockAndBacklight) == kBlockAndBacklight ? brightness_ : 0U;
 }
 
+/// The pixel's centre lies in the largest circle of the glass. Counted in half pixels from the glass's centre.
+bool DcsModel::is_on_disc(unsigned x, unsigned y) const {
+  const auto from_centre = [](unsigned at, unsigned size) {
+    return 2 * static_cast<int>(at) + 1 - static_cast<int>(size);
+  };
+  const int across = from_centre(x, glass_.width), down = from_centre(y, glass_.height);
+  const int diameter = std::min(glass_.width, glass_.height);
+  return across * across + down * down <= diameter * diameter;
+}
+
 RgbImage DcsModel::seen() const {
   RgbImage image{glass_.width, glass_.height, {}};
   image.rgb.assign(std::size_t{glass_.width} * glass_.height * 3, 0);
@@ -240,6 +269,7 @@ RgbImage DcsModel::seen() const {
   std::uint8_t* out = image.rgb.data();
   for (unsigned y = 0; y < glass_.height; ++y) {
     for (unsigned x = 0; x < glass_.width; ++x, out += 3) {
+      if (glass_.is_round && !is_on_disc(x, y)) continue;
       const unsigned column_from_edge = glass_.column_offset + x;
       const unsigned row_from_edge = glass_.row_offset + y;
       const unsigned column = glass_.columns_reversed ? part_.columns - 1U - column_from_edge : column_from_edge;

@@ -1,7 +1,8 @@
-// A model of the panels whose controller follows MIPI's Display Command Set: ST7789, ILI9341, ST7735.
+// A model of the panels whose controller follows MIPI's Display Command Set (dcs_part.hpp).
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct Glass {
   bool rows_reversed = false;
   bool bgr = false;       ///< subpixels are blue, green, red
   bool inverted = false;  ///< more voltage is darker, so that inversion must be on
+  bool is_round = false;  ///< only the largest circle is there
 };
 
 class DcsModel final : public PanelModel {
@@ -51,11 +53,13 @@ class DcsModel final : public PanelModel {
   void check_time(std::uint8_t code);
   void finish_command();
   void parameters_complete();
+  void turn_key();
   void receive_pixel_byte(std::uint8_t byte);
   void store(const Colour& colour);
   Range range_of(unsigned limit, const char* what);
   unsigned bits_per_pixel() const;
   std::size_t cell(unsigned column, unsigned row) const;
+  bool is_on_disc(unsigned x, unsigned y) const;
   void complain_of(const char* what);
 
   const DcsPart& part_;
@@ -67,7 +71,8 @@ class DcsModel final : public PanelModel {
   std::uint8_t access_ = 0, format_ = 0;
   std::uint8_t brightness_ = 0, brightness_control_ = 0;
   unsigned scroll_ = 0;
-  unsigned read_index_ = 0;  // 0: not set
+  unsigned read_index_ = 0;     // 0: not set
+  std::size_t keys_given_ = 0;  // of the part's, in their order
   Range columns_, rows_;
 
   // The current command.

@@ -76,6 +76,68 @@ constexpr DcsCommand kSt7735Commands[] = {
     {0xFC, 1, 1},                                                  // PWCTR6
 };
 
+// GC9A01A. The inter register commands of 62h to 98h are in no data sheet; makers of modules give them with so many
+// parameters.
+constexpr DcsCommand kGc9a01Commands[] = {
+    {0x3C, 0, 0},                                                    // write memory continue
+    {0x44, 2, 2},                                                    // set tear scanline
+    {0x51, 1, 1},         {0x53, 1, 1},                              // brightness, control
+    {0x62, 12, 12, true}, {0x63, 12, 12, true}, {0x64, 7, 7, true},  // not described, as all without names here
+    {0x66, 10, 10, true}, {0x67, 10, 10, true}, {0x70, 9, 9, true}, {0x74, 7, 7, true}, {0x84, 1, 1, true},
+    {0x85, 1, 1, true},   {0x86, 1, 1, true},   {0x87, 1, 1, true}, {0x88, 1, 1, true}, {0x89, 1, 1, true},
+    {0x8A, 1, 1, true},   {0x8B, 1, 1, true},   {0x8C, 1, 1, true}, {0x8D, 1, 1, true}, {0x8E, 1, 1, true},
+    {0x8F, 1, 1, true},   {0x90, 4, 4, true},   {0x98, 2, 2, true}, {0xA7, 1, 1, true}, {0xAE, 1, 1, true},  // VCORE
+    {0xB0, 1, 1},         {0xB5, 4, 4},         {0xB6, 2, 4},  // RGB interface, porch, display function
+    {0xBA, 1, 1},                                              // tearing effect
+    {0xBC, 1, 1, true},   {0xBD, 1, 1, true},   {0xBE, 1, 1, true}, {0xC1, 1, 1, true}, {0xC3, 1, 1, true},
+    {0xC4, 1, 1, true},                                              // power criterion, VREG1 a and b
+    {0xC9, 1, 1, true},   {0xCD, 1, 1, true},   {0xDF, 3, 3, true},  // VREG2
+    {0xE1, 2, 2, true},   {0xE8, 1, 1, true},   {0xE9, 1, 1, true},  // frame rate, two data lines
+    {0xEB, 1, 1, true},   {0xEC, 3, 3, true},   {0xED, 2, 2, true},  // charge pump
+    {0xF0, 6, 6, true},   {0xF1, 6, 6, true},   {0xF2, 6, 6, true},  // gamma 1 to 3
+    {0xF3, 6, 6, true},                                              // gamma 4
+    {0xF6, 1, 1},                                                    // interface
+    {0xEF, 0, 0},         {0xFE, 0, 0},         {0xFF, 3, 3, true},  // inter register enable 2 and 1
+};
+constexpr DcsKey kGc9a01Keys[] = {{0xFE, 0, {}}, {0xEF, 0, {}}};
+
+// ST7796S, command table 2, and the rest of table 1.
+constexpr DcsCommand kSt7796Commands[] = {
+    {0x3C, 0, 0},                                                                  // WRMEMC
+    {0x44, 2, 2},                                                                  // TESLWR
+    {0x51, 1, 1},         {0x53, 1, 1},         {0x55, 1, 1},       {0x5E, 1, 1},  // WRDISBV WRCTRLD WRCABC WRCABCMB
+    {0xB0, 1, 1, true},   {0xB1, 2, 2, true},   {0xB2, 2, 2, true},                // IFMODE FRMCTR1 FRMCTR2
+    {0xB3, 2, 2, true},   {0xB4, 1, 1, true},   {0xB5, 4, 4, true},                // FRMCTR3 DIC BPC
+    {0xB6, 3, 3, true},   {0xB7, 1, 1, true},                                      // DFC EM
+    {0xC0, 2, 2, true},   {0xC1, 1, 1, true},   {0xC2, 1, 1, true},                // PWR1 PWR2 PWR3
+    {0xC5, 1, 1, true},   {0xC6, 1, 1, true},                                      // VCMPCTL VCMOFFSET
+    {0xD0, 3, 3, true},                                                            // NVMADW
+    {0xE0, 14, 14, true}, {0xE1, 14, 14, true},                                    // PGC NGC
+    {0xE2, 64, 64, true}, {0xE3, 64, 64, true},                                    // DGC1 DGC2
+    {0xE8, 8, 8, true},                                                            // DOCA
+    {0xF0, 1, 1},         {0xFB, 1, 1, true},                                      // CSCON, SPI read control
+};
+constexpr DcsKey kSt7796Keys[] = {{0xF0, 1, {0xC3}}, {0xF0, 1, {0x96}}};
+
+// ILI9342C. Extended commands need C8h first where the pin EXTC is low, as on modules.
+constexpr DcsCommand kIli9342Commands[] = {
+    {0x3C, 0, 0},                                                                  // write memory continue
+    {0x44, 2, 2},                                                                  // set tear scanline
+    {0x51, 1, 1},         {0x53, 1, 1},         {0x55, 1, 1},       {0x5E, 1, 1},  // brightness and its control
+    {0xB0, 1, 1, true},   {0xB1, 2, 2, true},   {0xB2, 2, 2, true},                // RGB interface; frame rate
+    {0xB3, 2, 2, true},   {0xB4, 1, 1, true},   {0xB5, 4, 4, true},                // inversion, porch
+    {0xB6, 3, 4, true},   {0xB7, 1, 1, true},                                      // display function, entry mode
+    {0xB8, 1, 1, true},   {0xB9, 1, 1, true},   {0xBA, 1, 1, true},                // backlight 1 to 3
+    {0xBB, 1, 1, true},   {0xBC, 1, 1, true},   {0xBE, 1, 1, true},                // backlight 4, 5, 7
+    {0xBF, 1, 1, true},                                                            // backlight 8
+    {0xC0, 2, 2, true},   {0xC1, 1, 1, true},   {0xC5, 1, 1, true},                // power 1 and 2, VCOM
+    {0xC7, 1, 1, true},   {0xC8, 3, 3},                                            // VCOM offset, set EXTC
+    {0xD0, 2, 2, true},   {0xD1, 3, 3, true},   {0xD9, 1, 1},  // NV memory write and key; read index
+    {0xE0, 15, 15, true}, {0xE1, 15, 15, true},                // gamma
+    {0xF6, 3, 3, true},                                        // interface
+};
+constexpr DcsKey kIli9342Keys[] = {{0xC8, 3, {0xFF, 0x93, 0x42}}};
+
 // RDDID has a dummy clock on a serial bus; RDID1 to RDID3, of 8 bits, have none. ST7735S: the usual answer of these
 // parts, because the data sheet leaves it to the maker of the module.
 constexpr DcsAnswer kSt7789Answers[] = {
@@ -85,22 +147,35 @@ constexpr DcsAnswer kSt7735Answers[] = {
 // RDDID of parts without a programmed id. ID4 is 00h, 93h, 41h after an unused parameter, one byte at a time.
 constexpr DcsAnswer kIli9341Answers[] = {
     {0x04, 1, 3, {}}, {0xDA, 0, 1, {}}, {0xDB, 0, 1, {}}, {0xDC, 0, 1, {}}, {0xD3, 0, 3, {0x00, 0x93, 0x41}}};
+constexpr DcsAnswer kIli9342Answers[] = {
+    {0x04, 1, 3, {}}, {0xDA, 0, 1, {}}, {0xDB, 0, 1, {}}, {0xDC, 0, 1, {}}, {0xD3, 0, 3, {0x00, 0x93, 0x42}}};
+constexpr DcsAnswer kGc9a01Answers[] = {
+    {0x04, 1, 3, {0x00, 0x9A, 0x01}}, {0xDA, 0, 1, {0x00}}, {0xDB, 0, 1, {0x9A}}, {0xDC, 0, 1, {0x01}}};
+constexpr DcsAnswer kSt7796Answers[] = {{0xD3, 1, 3, {0x00, 0x77, 0x96}}};
 
 }  // namespace
 
 // Timing: serial interface characteristics (write cycle), RESX timing, SWRESET, SLPIN and SLPOUT restrictions; read
 // cycle.
-const DcsPart kSt7789Part{"ST7789",       240,   320,  66ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, true, kSt7789Commands,
-                          kSt7789Answers, 150ns, false};
+const DcsPart kSt7789Part{"ST7789",       240,   320, 66ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, true, kSt7789Commands,
+                          kSt7789Answers, 150ns, 0};
 const DcsPart kIli9341Part{"ILI9341",       240,   320,   100ns, 10us,  5ms,
                            120ms,           5ms,   120ms, 0x66,  false, kIli9341Commands,
-                           kIli9341Answers, 150ns, true};
-const DcsPart kSt7735Part{"ST7735",       132,   162,   66ns, 10us, 120ms,
-                          120ms,          5ms,   120ms, 0x06, true, kSt7735Commands,
-                          kSt7735Answers, 150ns, false};
+                           kIli9341Answers, 150ns, 0xD9};
+const DcsPart kSt7735Part{"ST7735",       132,   162, 66ns, 10us, 120ms, 120ms, 5ms, 120ms, 0x06, true, kSt7735Commands,
+                          kSt7735Answers, 150ns, 0};
 const DcsPart kSt7735Gm11Part{"ST7735_GM11",  128,   160,   66ns, 10us, 120ms,
                               120ms,          5ms,   120ms, 0x06, true, kSt7735Commands,
-                              kSt7735Answers, 150ns, false};
+                              kSt7735Answers, 150ns, 0};
+const DcsPart kGc9a01Part{"GC9A01",       240,   240,   10ns,       10us,  5ms,
+                          120ms,          5ms,   120ms, 0x66,       false, kGc9a01Commands,
+                          kGc9a01Answers, 150ns, 0,     kGc9a01Keys};
+const DcsPart kSt7796Part{"ST7796",       320,   480,   66ns,       10us,  5ms,
+                          120ms,          5ms,   120ms, 0x66,       false, kSt7796Commands,
+                          kSt7796Answers, 150ns, 0,     kSt7796Keys};
+const DcsPart kIli9342Part{"ILI9342",       320,   240,   100ns,       10us,  5ms,
+                           120ms,           5ms,   120ms, 0x66,        false, kIli9342Commands,
+                           kIli9342Answers, 150ns, 0xD9,  kIli9342Keys};
 
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code) {
   for (const std::span<const DcsCommand> table : {std::span<const DcsCommand>(kUserCommands), part.own_commands}) {

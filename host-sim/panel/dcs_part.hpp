@@ -13,6 +13,14 @@ struct DcsCommand {
   std::uint8_t code;
   std::uint8_t fewest;
   std::uint8_t most;
+  bool is_locked = false;  ///< ignored until all keys of its part were given
+};
+
+/// A command with these parameters, one of those that unlock others.
+struct DcsKey {
+  std::uint8_t code;
+  std::uint8_t count;
+  std::array<std::uint8_t, 3> parameters;
 };
 
 /// The answer to a read command on a serial bus: clocks before the answer, and the first bytes of the answer.
@@ -38,13 +46,18 @@ struct DcsPart {
   std::span<const DcsCommand> own_commands;  ///< in addition to the user commands of all parts
   std::span<const DcsAnswer> answers;
   std::chrono::nanoseconds shortest_read_cycle;  ///< of the serial clock
-  bool has_read_index;                           ///< D9h selects the byte of ID4, D3h, that the next read returns
+  std::uint8_t read_index;                       ///< this command selects the byte of ID4, D3h, that is read next; or 0
+  /// Unlock commands, in this order. Once unlocked, a key's command with other parameters locks them again.
+  std::span<const DcsKey> keys{};
 };
 
 extern const DcsPart kSt7789Part;
 extern const DcsPart kIli9341Part;
 extern const DcsPart kSt7735Part;
 extern const DcsPart kSt7735Gm11Part;  ///< pins GM1 and GM0 high: a smaller memory
+extern const DcsPart kGc9a01Part;
+extern const DcsPart kSt7796Part;
+extern const DcsPart kIli9342Part;
 
 /// Returns the command with this code, or nullptr.
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code);

@@ -8,12 +8,15 @@
 #include "panel/ssd0323_model.hpp"
 #include "panel/ssd1306_model.hpp"
 #include "panel/ssd1351_model.hpp"
+#include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
+#include "zstrip_hal/ili9342.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
+#include "zstrip_hal/st7796.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -24,6 +27,9 @@ constexpr PanelModule kSt7789Modules[] = {{240, 240, 0, 0},  {240, 320, 0, 0},  
                                           {172, 320, 34, 0}, {170, 320, 35, 0}, {135, 240, 52, 40}};
 constexpr PanelModule kIli9341Modules[] = {{240, 320, 0, 0}};
 constexpr PanelModule kSt7735Modules[] = {{128, 160, 2, 1}, {128, 128, 2, 3}, {80, 160, 26, 1}};
+constexpr PanelModule kGc9a01Modules[] = {{240, 240, 0, 0, true}};
+constexpr PanelModule kSt7796Modules[] = {{320, 480, 0, 0}};
+constexpr PanelModule kIli9342Modules[] = {{320, 240, 0, 0}};
 constexpr PanelModule kSsd1351Modules[] = {{128, 128, 0, 0}, {128, 96, 0, 0}};
 constexpr PanelModule kSsd1306Modules[] = {{128, 64, 0, 0}, {128, 32, 0, 0}, {64, 48, 32, 0}};
 constexpr PanelModule kSsd0323Modules[] = {{128, 64, 0, 0}};
@@ -35,9 +41,15 @@ constexpr PixelFormat kMono[] = {PixelFormat::mono};
 constexpr std::span<const PixelFormat> kAll(kColours);
 
 constexpr PanelKind kKinds[] = {
-    {"st7789", kSt7789Modules, kAll, 66ns, 0ns},        {"ili9341", kIli9341Modules, kAll.first(2), 100ns, 0ns},
-    {"st7735", kSt7735Modules, kAll, 66ns, 0ns},        {"ssd1351", kSsd1351Modules, kAll.first(1), 50ns, 0ns},
-    {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns}, {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
+    {"st7789", kSt7789Modules, kAll, 66ns, 0ns},
+    {"ili9341", kIli9341Modules, kAll.first(2), 100ns, 0ns},
+    {"st7735", kSt7735Modules, kAll, 66ns, 0ns},
+    {"gc9a01", kGc9a01Modules, kAll.first(2), 10ns, 0ns},
+    {"st7796", kSt7796Modules, kAll.first(2), 66ns, 0ns},
+    {"ili9342", kIli9342Modules, kAll.first(2), 100ns, 0ns},
+    {"ssd1351", kSsd1351Modules, kAll.first(1), 50ns, 0ns},
+    {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns},
+    {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
 };
 
 /// Owns the objects that the driver refers to.
@@ -70,16 +82,17 @@ class PanelOf final : public SimulatedPanel {
   Driver driver_;
 };
 
-template <class Driver>
-std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const DcsPart& part, hal::DcsConfig config,
-                                          std::uint32_t id) {
+/// `Display` is the driver of a panel with MIPI's commands, with bus and clock as its parameters.
+template <template <class, class> class Display, class Controller>
+std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const DcsPart& part, hal::DcsConfig config) {
+  using Driver = Display<ModelBus, ModelBus>;
   config.width = request.module.width;
   config.height = request.module.height;
   config.column_offset = request.module.column_offset;
   config.row_offset = request.module.row_offset;
   config.orientation = request.orientation;
   config.format = request.format;
-  config.id = id;  // this panel's data output is wired
+  config.id = Controller::kId;  // this panel's data output is wired
   const Glass glass{.width = config.width,
                     .height = config.height,
                     .column_offset = config.column_offset,
@@ -87,11 +100,15 @@ std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const Dcs
                     .columns_reversed = config.columns_reversed,
                     .rows_reversed = config.rows_reversed,
                     .bgr = config.bgr,
-                    .inverted = config.inverted};
+                    .inverted = config.inverted,
+                    .is_round = request.module.is_round};
   return std::make_unique<PanelOf<Driver>>(std::make_unique<DcsModel>(part, glass),
                                            timing_of(request.bus, request.cycle),
                                            [&config](ModelBus& bus) { return Driver(bus, bus, config); });
 }
+
+template <class Bus, class Time>
+using St7735 = hal::St7735<Bus, Time>;
 
 std::unique_ptr<SimulatedPanel> ssd1351_panel(const PanelRequest& request) {
   using Driver = hal::Ssd1351<ModelBus>;
@@ -141,19 +158,21 @@ std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
   if (name == "ssd1351") return ssd1351_panel(request);
   if (name == "ssd1306") return ssd1306_panel(request);
   if (name == "ssd0323") return ssd0323_panel(request);
-  using hal::Ili9341;
-  using hal::St7735;
-  using hal::St7789;
   if (name == "ili9341") {
-    return dcs_panel<Ili9341<ModelBus, ModelBus>>(request, kIli9341Part, hal::kIli9341Module240x320,
-                                                  hal::Ili9341Controller::kId);
+    return dcs_panel<hal::Ili9341, hal::Ili9341Controller>(request, kIli9341Part, hal::kIli9341Module240x320);
   }
-  if (name == "st7735") {
-    return dcs_panel<St7735<ModelBus, ModelBus>>(request, kSt7735Part, hal::kSt7735Module128x160,
-                                                 hal::St7735Controller::kId);
+  if (name == "st7735")
+    return dcs_panel<St7735, hal::St7735Controller>(request, kSt7735Part, hal::kSt7735Module128x160);
+  if (name == "gc9a01") {
+    return dcs_panel<hal::Gc9a01, hal::Gc9a01Controller>(request, kGc9a01Part, hal::kGc9a01Module240x240);
   }
-  return dcs_panel<St7789<ModelBus, ModelBus>>(request, kSt7789Part, hal::kSt7789Module240x240,
-                                               hal::St7789Controller::kId);
+  if (name == "st7796") {
+    return dcs_panel<hal::St7796, hal::St7796Controller>(request, kSt7796Part, hal::kSt7796Module320x480);
+  }
+  if (name == "ili9342") {
+    return dcs_panel<hal::Ili9342, hal::Ili9342Controller>(request, kIli9342Part, hal::kIli9342Module320x240);
+  }
+  return dcs_panel<hal::St7789, hal::St7789Controller>(request, kSt7789Part, hal::kSt7789Module240x240);
 }
 
 std::uint16_t row_step(const PanelRequest& request) {

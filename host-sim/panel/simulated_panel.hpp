@@ -22,6 +22,7 @@ struct PanelModule {
   std::uint16_t height = 0;
   std::uint16_t column_offset = 0;
   std::uint16_t row_offset = 0;
+  bool is_round = false;  ///< only the largest circle of the glass is there
 };
 
 /// A controller, by its name on the command line.

@@ -83,7 +83,8 @@ TEST_F(PanelCommand, TheBusTakesTheTimeOfItsBytes) {
 }
 
 TEST_F(PanelCommand, EveryPanelShowsFrames) {
-  for (const char* panel : {"st7789", "ili9341", "st7735", "ssd1351", "ssd1306", "ssd0323"}) {
+  for (const char* panel :
+       {"st7789", "ili9341", "st7735", "gc9a01", "st7796", "ili9342", "ssd1351", "ssd1306", "ssd0323"}) {
     const Outcome outcome = zstrip({"-o", panel, "--frames", "2", "--panel", panel});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "") << panel;
@@ -94,7 +95,7 @@ TEST_F(PanelCommand, EveryPanelShowsFrames) {
 
 TEST_F(PanelCommand, SaysWhatCannotBeAndWhatIsNearest) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"--panel", "st7798"}, "did you mean st7789?"},
+      {{"--panel", "st778"}, "did you mean st7789?"},
       {{"--panel", "ssd306"}, "did you mean ssd1306?"},
       {{"--panel", ""}, "did you mean"},
       {{"--panel", "ssd1306", "--bus", "i2x"}, "did you mean i2c?"},

@@ -10,12 +10,15 @@
 #include "panel/ssd0323_model.hpp"
 #include "panel/ssd1306_model.hpp"
 #include "panel/ssd1351_model.hpp"
+#include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
+#include "zstrip_hal/ili9342.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
+#include "zstrip_hal/st7796.hpp"
 
 namespace zstrip::panels {
 
@@ -81,6 +84,12 @@ using St7735 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus>, sim::kSt7735Part, 
                    PixelFormat::rgb666, PixelFormat::rgb444>;
 using St7735Gm11 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus, hal::St7735Gm11Controller>, sim::kSt7735Gm11Part,
                        PixelFormat::rgb565_swapped>;
+using Gc9a01 =
+    Dcs<hal::Gc9a01<sim::ModelBus, sim::ModelBus>, sim::kGc9a01Part, PixelFormat::rgb565_swapped, PixelFormat::rgb666>;
+using St7796 =
+    Dcs<hal::St7796<sim::ModelBus, sim::ModelBus>, sim::kSt7796Part, PixelFormat::rgb565_swapped, PixelFormat::rgb666>;
+using Ili9342 = Dcs<hal::Ili9342<sim::ModelBus, sim::ModelBus>, sim::kIli9342Part, PixelFormat::rgb565_swapped,
+                    PixelFormat::rgb666>;
 
 struct Ssd1351 {
   using Driver = hal::Ssd1351<sim::ModelBus>;

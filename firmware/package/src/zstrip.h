@@ -21,8 +21,10 @@
 #include "zstrip/zstrip.hpp"
 #include "zstrip_hal/bit_banged_i2c.hpp"
 #include "zstrip_hal/bit_banged_spi.hpp"
+#include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/i2c.hpp"
 #include "zstrip_hal/ili9341.hpp"
+#include "zstrip_hal/ili9342.hpp"
 #include "zstrip_hal/parallel_bus.hpp"
 #include "zstrip_hal/present.hpp"
 #include "zstrip_hal/second_core.hpp"
@@ -31,6 +33,7 @@
 #include "zstrip_hal/ssd1351.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
+#include "zstrip_hal/st7796.hpp"
 #include "zstrip_player/pick_with.hpp"
 
 #pragma pop_macro("round")

@@ -1,0 +1,142 @@
+// What the controllers with MIPI's commands do not share: locked commands, round glasses, sizes and ids.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "panel/dcs_model.hpp"
+#include "provocation.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+std::function<std::unique_ptr<DcsModel>()> maker_of(const DcsPart& part) {
+  return [&part] { return std::make_unique<DcsModel>(part, Glass{.width = 4, .height = 3}); };
+}
+
+void wake(Lines& lines) {
+  lines.wait(120ms);
+  lines.dcs(0x11);
+  lines.wait(120ms);
+  lines.dcs(0x3A, {0x55});
+  lines.dcs(0x29);
+}
+
+TEST(PanelParts, Gc9a01Complains) {
+  expect_complaints<DcsModel>(
+      {
+          {"a command that is locked, command EBh", [](Lines& l) { l.dcs(0xEB, {0x14}); }},
+          {"a command that is locked, command EBh", [](Lines& l) { l.dcs(0xFE), l.dcs(0xEB, {0x14}); }},
+          {"a command that is locked, command EBh", [](Lines& l) { l.dcs(0xEF), l.dcs(0xFE), l.dcs(0xEB, {0x14}); }},
+          {"a command that is locked, command F0h",
+           [](Lines& l) {
+             l.dcs(0xFE), l.dcs(0xEF), l.dcs(0x01), l.wait(120ms), l.dcs(0xF0, {1, 2, 3, 4, 5, 6});
+           }},
+          {"too few parameters, command F0h",
+           [](Lines& l) {
+             l.dcs(0xFE), l.dcs(0xEF), l.dcs(0xF0, {1, 2, 3, 4, 5}), l.dcs(0x00);
+           }},
+          {"columns 0 to 240 of 240",
+           [](Lines& l) {
+             l.dcs(0x2A, {0, 0, 0, 240});
+           }},
+          {"rows 0 to 240 of 240",
+           [](Lines& l) {
+             l.dcs(0x2B, {0, 0, 0, 240});
+           }},
+          {"the GC9A01 has no command C0h", [](Lines& l) { l.command({0xC0}); }},
+          {"the GC9A01 has no pixel format 53h", [](Lines& l) { l.dcs(0x3A, {0x53}); }},
+          {"the bus sends a bit in 9 ns", [](Lines& l) { l.panel.clocked_at(9ns), l.panel.clocked_at(10ns); }},
+      },
+      maker_of(kGc9a01Part), wake);
+}
+
+TEST(PanelParts, St7796Complains) {
+  expect_complaints<DcsModel>(
+      {
+          {"a command that is locked, command B4h", [](Lines& l) { l.dcs(0xB4, {1}); }},
+          {"a command that is locked, command B4h", [](Lines& l) { l.dcs(0xF0, {0x96}), l.dcs(0xB4, {1}); }},
+          {"a command that is locked, command B4h",
+           [](Lines& l) {
+             l.dcs(0xF0, {0xC3}), l.dcs(0xF0, {0x96}), l.dcs(0xB4, {1}), l.dcs(0xF0, {0x3C}), l.dcs(0xB4, {1});
+           }},
+          {"columns 0 to 320 of 320",
+           [](Lines& l) {
+             l.dcs(0x2A, {0, 0, 1, 64});
+           }},
+          {"rows 0 to 480 of 480",
+           [](Lines& l) {
+             l.dcs(0x2B, {0, 0, 1, 0xE0});
+           }},
+          {"rows 0 to 479 of 320",
+           [](Lines& l) {
+             l.dcs(0x36, {0x20}), l.dcs(0x2B, {0, 0, 1, 0xDF});
+           }},
+          {"the ST7796 has no command B9h", [](Lines& l) { l.command({0xB9}); }},
+          {"the bus sends a bit in 65 ns", [](Lines& l) { l.panel.clocked_at(65ns), l.panel.clocked_at(66ns); }},
+      },
+      maker_of(kSt7796Part), wake);
+}
+
+TEST(PanelParts, Ili9342Complains) {
+  expect_complaints<DcsModel>(
+      {
+          {"a command that is locked, command C1h", [](Lines& l) { l.dcs(0xC1, {3}); }},
+          {"a command that is locked, command C1h",
+           [](Lines& l) {
+             l.dcs(0xC8, {0xFF, 0x93, 0x41}), l.dcs(0xC1, {3});
+           }},
+          {"columns 0 to 320 of 320",
+           [](Lines& l) {
+             l.dcs(0x2A, {0, 0, 1, 64});
+           }},
+          {"rows 0 to 240 of 240",
+           [](Lines& l) {
+             l.dcs(0x2B, {0, 0, 0, 240});
+           }},
+          {"columns 0 to 319 of 240",  // upright it is wide
+           [](Lines& l) {
+             l.dcs(0x36, {0x20}), l.dcs(0x2A, {0, 0, 1, 63});
+           }},
+          {"the ILI9342 has no command CBh", [](Lines& l) { l.command({0xCB}); }},
+          {"the bus sends a bit in 99 ns", [](Lines& l) { l.panel.clocked_at(99ns), l.panel.clocked_at(100ns); }},
+      },
+      maker_of(kIli9342Part), wake);
+}
+
+TEST(PanelParts, EachAnswersWithItsId) {
+  DcsModel gc9a01(kGc9a01Part, {.width = 1, .height = 1});
+  Lines(gc9a01).wait(120ms);
+  EXPECT_EQ(answer_of(gc9a01, 0x04, 1, 3), (std::vector<int>{0x00, 0x9A, 0x01}));
+  DcsModel st7796(kSt7796Part, {.width = 1, .height = 1});
+  Lines(st7796).wait(120ms);
+  EXPECT_EQ(answer_of(st7796, 0xD3, 1, 3), (std::vector<int>{0x00, 0x77, 0x96}));
+  DcsModel ili9342(kIli9342Part, {.width = 1, .height = 1});
+  Lines(ili9342).wait(120ms);
+  Lines(ili9342).dcs(0xD9, {0x13});
+  EXPECT_EQ(answer_of(ili9342, 0xD3, 0, 1), std::vector<int>{0x42});
+  for (const DcsModel* panel : {&gc9a01, &st7796, &ili9342}) EXPECT_EQ(panel->complaints(), std::vector<std::string>{});
+}
+
+// A disc of diameter 5: the corners are not there, and neither do they show the memory's noise.
+TEST(PanelParts, ARoundGlassHasNoCorners) {
+  DcsModel panel(kGc9a01Part, {.width = 5, .height = 5, .is_round = true});
+  Lines lines{panel};
+  wake(lines);
+  lines.dcs(0x2A, {0, 0, 0, 4});
+  lines.dcs(0x2B, {0, 0, 0, 4});
+  lines.dcs(0x2C);
+  for (int i = 0; i < 50; ++i) lines.data({0xFF});
+  const RgbImage seen = panel.seen();
+  std::string rows;
+  for (std::uint32_t y = 0; y < 5; ++y) {
+    for (std::uint32_t x = 0; x < 5; ++x) rows += seen.pixel(x, y)[0] == 255 ? '#' : '.';
+    rows += '\n';
+  }
+  EXPECT_EQ(rows, ".###.\n#####\n#####\n#####\n.###.\n");
+  EXPECT_EQ(panel.complaints(), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace zstrip::sim
