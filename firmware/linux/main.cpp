@@ -28,7 +28,7 @@ constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
   fbdev:/dev/fb0          size=WxH, depth=16|24|32
   drm:/dev/dri/card0      size=WxH, connector=NAME (as --list shows) or all, format=rgb565|xrgb8888
   sdl:WxH@SCALE           a window of the desktop; without WxH as large as the scene was baked, SCALE 1 to 8
-  st7789: ili9341: st7735: gc9a01: st7796: ili9342: ssd1351: ssd1306: ssd0323:
+  st7789: ili9341: st7735: gc9a01: st7796: ili9342: ili9488: ssd1351: ssd1306: ssd0323:
     panels on SPI; docs/linux.md has all keys
     spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE][,miso=LINE]
     dc=LINE[,reset=LINE][,backlight=LINE]

@@ -16,6 +16,7 @@
 #include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/ili9342.hpp"
+#include "zstrip_hal/ili9488.hpp"
 #include "zstrip_hal/output_pin.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
@@ -109,6 +110,8 @@ using St7796 = hal::St7796<Bus, hal::SleepingClock>;
 template <class Bus>
 using Ili9342 = hal::Ili9342<Bus, hal::SleepingClock>;
 template <class Bus>
+using Ili9488 = hal::Ili9488<Bus, hal::SleepingClock>;
+template <class Bus>
 using Ssd1351 = hal::Ssd1351<Bus>;
 template <class Bus>
 using Ssd1306 = hal::Ssd1306<Bus>;
@@ -153,6 +156,7 @@ constexpr DcsKind kDcsKinds[] = {
     {"gc9a01", hal::kGc9a01Module240x240, hal::Gc9a01Controller::kId, 100'000'000, start<Gc9a01, hal::DcsConfig>},
     {"st7796", hal::kSt7796Module320x480, hal::St7796Controller::kId, 15'000'000, start<St7796, hal::DcsConfig>},
     {"ili9342", hal::kIli9342Module320x240, hal::Ili9342Controller::kId, 10'000'000, start<Ili9342, hal::DcsConfig>},
+    {"ili9488", hal::kIli9488Module320x480, hal::Ili9488Controller::kId, 20'000'000, start<Ili9488, hal::DcsConfig>},
 };
 
 /// Takes the key `rotate`, in degrees clockwise, and `mirror`.

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "zstrip_hal/blacken.hpp"
 #include "zstrip_hal/bus.hpp"
@@ -18,6 +19,7 @@
 #include "zstrip_hal/error.hpp"
 #include "zstrip_hal/orientation.hpp"
 #include "zstrip_hal/parameters.hpp"
+#include "zstrip_hal/widened.hpp"
 
 namespace zstrip::hal {
 
@@ -55,6 +57,7 @@ constexpr DcsConfig turned(DcsConfig module, Rotation by) {
 ///   - kSettings: commands for every module, as DcsConfig::module_commands
 ///   - kHasBrightness: true if the controller has a PWM output for a backlight
 ///   - kId: the three bytes that read_id(bus, id) reads on a ReadableBus
+///   - kWidens565, only if it is true: the bus takes no pixels of 16 bits, so that rgb565_swapped is sent as rgb666
 template <class T>
 concept DcsController = requires(PixelFormat format) {
   { T::kColumns } -> std::convertible_to<std::uint16_t>;
@@ -64,6 +67,15 @@ concept DcsController = requires(PixelFormat format) {
   { T::kHasBrightness } -> std::convertible_to<bool>;
   { T::kId } -> std::convertible_to<std::uint32_t>;
 };
+
+/// The format of pixels on the bus of a controller, for pixels of `format`.
+template <DcsController Controller>
+constexpr PixelFormat wire_format(PixelFormat format) {
+  if constexpr (requires { Controller::kWidens565; }) {
+    if (format == PixelFormat::rgb565_swapped) return PixelFormat::rgb666;
+  }
+  return format;
+}
 
 /// Read display ID, 04h: on a serial bus a dummy clock, then three bytes.
 template <ReadableBus Bus>
@@ -112,7 +124,8 @@ class DcsPanel {
     if (error == Error::none) error = command(config_.inverted ? kInversionOn : kInversionOff);
     if (error == Error::none) error = command(kNormalMode);
     if (error == Error::none) error = set_window({0, 0, width(), height()});
-    if (error == Error::none) error = send_zeros(bus_, bytes_per_row(width(), format()) * height());
+    const PixelFormat sent = wire_format<Controller>(format());
+    if (error == Error::none) error = send_zeros(bus_, bytes_per_row(width(), sent) * height());
     if (error == Error::none) error = command(kDisplayOn);
     return error;
   }
@@ -133,6 +146,9 @@ class DcsPanel {
     const std::uint32_t bytes = bytes_per_row(area.width, config_.format) * area.height;
     if (pixels.size() < bytes) return Error::pixels_too_small;
     if (const Error error = set_window(area); error != Error::none) return error;
+    if constexpr (kWidens) {
+      if (wire_format<Controller>(format()) != format()) return widened_.send(bus_, pixels.first(bytes));
+    }
     return bus_.write_data(pixels.first(bytes));
   }
   /// See the concept Display.
@@ -196,6 +212,9 @@ class DcsPanel {
   // The time after a reset, or between sleep-out and sleep-in, either way; for other commands 5 ms would be enough.
   static constexpr std::uint32_t kAwakeToReady = 120'000, kAsleepToReady = 120'000;  // us
 
+  static constexpr bool kWidens = requires { Controller::kWidens565; };
+  struct Nothing {};
+
   constexpr bool valid() const {
     const auto fits = [](unsigned first, unsigned size, unsigned all) { return size >= 1 && first + size <= all; };
     return fits(config_.column_offset, config_.width, Controller::kColumns) &&
@@ -252,6 +271,7 @@ class DcsPanel {
   Bus& bus_;
   Time& clock_;
   DcsConfig config_;
+  [[no_unique_address]] std::conditional_t<kWidens, Widened, Nothing> widened_{};
 };
 
 }  // namespace zstrip::hal

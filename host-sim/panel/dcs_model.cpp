@@ -193,7 +193,7 @@ DcsModel::Range DcsModel::range_of(unsigned limit, const char* what) {
 unsigned DcsModel::bits_per_pixel() const {
   switch (format_ & 7U) {
     case 3: return part_.has_12_bits ? 12 : 0;
-    case 5: return 16;
+    case 5: return part_.has_16_bits ? 16 : 0;
     case 6: return 24;  // 18 of them are used
     default: return 0;
   }

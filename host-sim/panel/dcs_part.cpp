@@ -138,6 +138,23 @@ constexpr DcsCommand kIli9342Commands[] = {
 };
 constexpr DcsKey kIli9342Keys[] = {{0xC8, 3, {0xFF, 0x93, 0x42}}};
 
+// ILI9488. Its third format on a serial bus, of 3 bits a pixel, is left out.
+constexpr DcsCommand kIli9488Commands[] = {
+    {0x3C, 0, 0},                                                    // write memory continue
+    {0x44, 2, 2},                                                    // set tear scanline
+    {0x51, 1, 1},   {0x53, 1, 1},   {0x55, 1, 1},   {0x5E, 1, 1},    // brightness, control, content adaptive, minimum
+    {0xB0, 1, 1},   {0xB1, 2, 2},   {0xB2, 2, 2},   {0xB3, 2, 2},    // interface; frame rate: normal, idle, partial
+    {0xB4, 1, 1},   {0xB5, 4, 4},   {0xB6, 3, 3},   {0xB7, 1, 1},    // inversion, porch, display function, entry mode
+    {0xB9, 2, 2},   {0xBE, 2, 2},                                    // colour reduction, HS lanes
+    {0xC0, 2, 2},   {0xC1, 1, 1},   {0xC2, 1, 1},   {0xC3, 1, 1},    // power 1 to 4
+    {0xC4, 1, 1},   {0xC5, 3, 4},   {0xC6, 1, 1},   {0xC8, 1, 1},    // power 5, VCOM, content adaptive 1 and 2
+    {0xD0, 3, 3},   {0xD1, 3, 3},                                    // NV memory write, protection key
+    {0xE0, 15, 15}, {0xE1, 15, 15}, {0xE2, 16, 16}, {0xE3, 16, 16},  // gamma; digital gamma 1 and 2
+    {0xE9, 1, 1},                                                    // set image function
+    {0xF2, 9, 9},   {0xF7, 4, 4},   {0xF8, 2, 2},   {0xF9, 1, 1},    // adjust control 2 to 5
+    {0xFB, 1, 1},   {0xFC, 2, 2},                                    // SPI read, adjust control 6
+};
+
 // RDDID has a dummy clock on a serial bus; RDID1 to RDID3, of 8 bits, have none. ST7735S: the usual answer of these
 // parts, because the data sheet leaves it to the maker of the module.
 constexpr DcsAnswer kSt7789Answers[] = {
@@ -149,6 +166,8 @@ constexpr DcsAnswer kIli9341Answers[] = {
     {0x04, 1, 3, {}}, {0xDA, 0, 1, {}}, {0xDB, 0, 1, {}}, {0xDC, 0, 1, {}}, {0xD3, 0, 3, {0x00, 0x93, 0x41}}};
 constexpr DcsAnswer kIli9342Answers[] = {
     {0x04, 1, 3, {}}, {0xDA, 0, 1, {}}, {0xDB, 0, 1, {}}, {0xDC, 0, 1, {}}, {0xD3, 0, 3, {0x00, 0x93, 0x42}}};
+constexpr DcsAnswer kIli9488Answers[] = {
+    {0x04, 1, 3, {}}, {0xDA, 0, 1, {}}, {0xDB, 0, 1, {}}, {0xDC, 0, 1, {}}, {0xD3, 0, 3, {0x00, 0x94, 0x88}}};
 constexpr DcsAnswer kGc9a01Answers[] = {
     {0x04, 1, 3, {0x00, 0x9A, 0x01}}, {0xDA, 0, 1, {0x00}}, {0xDB, 0, 1, {0x9A}}, {0xDC, 0, 1, {0x01}}};
 constexpr DcsAnswer kSt7796Answers[] = {{0xD3, 1, 3, {0x00, 0x77, 0x96}}};
@@ -176,6 +195,9 @@ const DcsPart kSt7796Part{"ST7796",       320,   480,   66ns,       10us,  5ms,
 const DcsPart kIli9342Part{"ILI9342",       320,   240,   100ns,       10us,  5ms,
                            120ms,           5ms,   120ms, 0x66,        false, kIli9342Commands,
                            kIli9342Answers, 150ns, 0xD9,  kIli9342Keys};
+const DcsPart kIli9488Part{"ILI9488",       320,   480,   50ns, 10us,  5ms,
+                           120ms,           5ms,   120ms, 0x66, false, kIli9488Commands,
+                           kIli9488Answers, 150ns, 0xFB,  {},   false};
 
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code) {
   for (const std::span<const DcsCommand> table : {std::span<const DcsCommand>(kUserCommands), part.own_commands}) {

@@ -1,4 +1,5 @@
-// The differences between the controllers with MIPI's command set, from their data sheets.
+// The differences between the controllers with MIPI's command set, from their data sheets; for GC9A01, ST7796, ILI9342
+// and ILI9488 from what public drivers say of these.
 #pragma once
 
 #include <array>
@@ -42,13 +43,14 @@ struct DcsPart {
   std::chrono::nanoseconds sleep_to_command;  ///< after sleep-in and after sleep-out
   std::chrono::nanoseconds between_sleeps;    ///< from sleep-in to sleep-out and back
   std::uint8_t format_after_reset;            ///< COLMOD's parameter
-  bool has_12_bits;
-  std::span<const DcsCommand> own_commands;  ///< in addition to the user commands of all parts
+  bool has_12_bits;                           ///< pixels of 12 bits on a serial bus; 18 bits all parts have
+  std::span<const DcsCommand> own_commands;   ///< in addition to the user commands of all parts
   std::span<const DcsAnswer> answers;
   std::chrono::nanoseconds shortest_read_cycle;  ///< of the serial clock
   std::uint8_t read_index;                       ///< this command selects the byte of ID4, D3h, that is read next; or 0
   /// Unlock commands, in this order. Once unlocked, a key's command with other parameters locks them again.
   std::span<const DcsKey> keys{};
+  bool has_16_bits = true;
 };
 
 extern const DcsPart kSt7789Part;
@@ -58,6 +60,7 @@ extern const DcsPart kSt7735Gm11Part;  ///< pins GM1 and GM0 high: a smaller mem
 extern const DcsPart kGc9a01Part;
 extern const DcsPart kSt7796Part;
 extern const DcsPart kIli9342Part;
+extern const DcsPart kIli9488Part;
 
 /// Returns the command with this code, or nullptr.
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code);

@@ -11,6 +11,7 @@
 #include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/ili9342.hpp"
+#include "zstrip_hal/ili9488.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
@@ -30,26 +31,24 @@ constexpr PanelModule kSt7735Modules[] = {{128, 160, 2, 1}, {128, 128, 2, 3}, {8
 constexpr PanelModule kGc9a01Modules[] = {{240, 240, 0, 0, true}};
 constexpr PanelModule kSt7796Modules[] = {{320, 480, 0, 0}};
 constexpr PanelModule kIli9342Modules[] = {{320, 240, 0, 0}};
+constexpr PanelModule kIli9488Modules[] = {{320, 480, 0, 0}};
 constexpr PanelModule kSsd1351Modules[] = {{128, 128, 0, 0}, {128, 96, 0, 0}};
 constexpr PanelModule kSsd1306Modules[] = {{128, 64, 0, 0}, {128, 32, 0, 0}, {64, 48, 32, 0}};
 constexpr PanelModule kSsd0323Modules[] = {{128, 64, 0, 0}};
 
 constexpr PixelFormat kColours[] = {PixelFormat::rgb565_swapped, PixelFormat::rgb666, PixelFormat::rgb444};
+constexpr PixelFormat kWideFirst[] = {PixelFormat::rgb666, PixelFormat::rgb565_swapped};
 constexpr PixelFormat kGreys[] = {PixelFormat::gray4};
 constexpr PixelFormat kMono[] = {PixelFormat::mono};
 
 constexpr std::span<const PixelFormat> kAll(kColours);
 
 constexpr PanelKind kKinds[] = {
-    {"st7789", kSt7789Modules, kAll, 66ns, 0ns},
-    {"ili9341", kIli9341Modules, kAll.first(2), 100ns, 0ns},
-    {"st7735", kSt7735Modules, kAll, 66ns, 0ns},
-    {"gc9a01", kGc9a01Modules, kAll.first(2), 10ns, 0ns},
-    {"st7796", kSt7796Modules, kAll.first(2), 66ns, 0ns},
-    {"ili9342", kIli9342Modules, kAll.first(2), 100ns, 0ns},
-    {"ssd1351", kSsd1351Modules, kAll.first(1), 50ns, 0ns},
-    {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns},
-    {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
+    {"st7789", kSt7789Modules, kAll, 66ns, 0ns},          {"ili9341", kIli9341Modules, kAll.first(2), 100ns, 0ns},
+    {"st7735", kSt7735Modules, kAll, 66ns, 0ns},          {"gc9a01", kGc9a01Modules, kAll.first(2), 10ns, 0ns},
+    {"st7796", kSt7796Modules, kAll.first(2), 66ns, 0ns}, {"ili9342", kIli9342Modules, kAll.first(2), 100ns, 0ns},
+    {"ili9488", kIli9488Modules, kWideFirst, 50ns, 0ns},  {"ssd1351", kSsd1351Modules, kAll.first(1), 50ns, 0ns},
+    {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns},   {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
 };
 
 /// Owns the objects that the driver refers to.
@@ -171,6 +170,9 @@ std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
   }
   if (name == "ili9342") {
     return dcs_panel<hal::Ili9342, hal::Ili9342Controller>(request, kIli9342Part, hal::kIli9342Module320x240);
+  }
+  if (name == "ili9488") {
+    return dcs_panel<hal::Ili9488, hal::Ili9488Controller>(request, kIli9488Part, hal::kIli9488Module320x480);
   }
   return dcs_panel<hal::St7789, hal::St7789Controller>(request, kSt7789Part, hal::kSt7789Module240x240);
 }

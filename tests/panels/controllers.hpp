@@ -13,6 +13,7 @@
 #include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/ili9342.hpp"
+#include "zstrip_hal/ili9488.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
@@ -89,6 +90,8 @@ using Gc9a01 =
 using St7796 =
     Dcs<hal::St7796<sim::ModelBus, sim::ModelBus>, sim::kSt7796Part, PixelFormat::rgb565_swapped, PixelFormat::rgb666>;
 using Ili9342 = Dcs<hal::Ili9342<sim::ModelBus, sim::ModelBus>, sim::kIli9342Part, PixelFormat::rgb565_swapped,
+                    PixelFormat::rgb666>;
+using Ili9488 = Dcs<hal::Ili9488<sim::ModelBus, sim::ModelBus>, sim::kIli9488Part, PixelFormat::rgb565_swapped,
                     PixelFormat::rgb666>;
 
 struct Ssd1351 {

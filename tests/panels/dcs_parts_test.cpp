@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "panel/dcs_model.hpp"
+#include "panel/model_bus.hpp"
 #include "provocation.hpp"
+#include "zstrip_hal/ili9488.hpp"
+#include "zstrip_hal/st7796.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -105,6 +108,62 @@ TEST(PanelParts, Ili9342Complains) {
       maker_of(kIli9342Part), wake);
 }
 
+TEST(PanelParts, Ili9488Complains) {
+  expect_complaints<DcsModel>(
+      {
+          {"the ILI9488 has no pixel format 55h", [](Lines& l) { l.dcs(0x3A, {0x55}); }},
+          {"the ILI9488 has no pixel format 53h", [](Lines& l) { l.dcs(0x3A, {0x53}); }},
+          {"the last pixel is not whole",
+           [](Lines& l) {
+             l.dcs(0x2C, {1, 2}), l.dcs(0x00);
+           }},
+          {"more pixels than the window has",
+           [](Lines& l) {
+             l.dcs(0x2A, {0, 0, 0, 0}), l.dcs(0x2B, {0, 0, 0, 0}), l.dcs(0x2C, {1, 2, 3, 4, 5, 6});
+           }},
+          {"too few parameters, command C5h",
+           [](Lines& l) {
+             l.dcs(0xC5, {0, 0x12}), l.dcs(0x00);
+           }},
+          {"the ILI9488 has no command F0h", [](Lines& l) { l.command({0xF0}); }},
+          {"the bus sends a bit in 49 ns", [](Lines& l) { l.panel.clocked_at(49ns), l.panel.clocked_at(50ns); }},
+      },
+      maker_of(kIli9488Part), [](Lines& l) {
+        l.wait(120ms);
+        l.dcs(0x11);
+        l.wait(120ms);
+        l.dcs(0x29);
+      });
+}
+
+// Each colour of 16 bits, as the driver widens it, against the panel's own 16 bits of another part.
+TEST(PanelParts, PixelsOf16BitsAreWidenedAsAControllerThatTakesThemWould) {
+  constexpr std::uint16_t kSide = 256;
+  const hal::DcsConfig glass{.width = kSide, .height = kSide};
+  DcsModel wide(kIli9488Part, {.width = kSide, .height = kSide});
+  DcsModel narrow(kSt7796Part, {.width = kSide, .height = kSide});
+  ModelBus wide_bus(wide, {.byte = 400ns, .cycle = 50ns}), narrow_bus(narrow, {.byte = 800ns, .cycle = 100ns});
+  hal::Ili9488 widening(wide_bus, wide_bus, glass);
+  hal::St7796 plain(narrow_bus, narrow_bus, glass);
+  wide_bus.wait(120'000), narrow_bus.wait(120'000);
+  ASSERT_EQ(widening.start(), hal::Error::none);
+  ASSERT_EQ(plain.start(), hal::Error::none);
+  std::vector<std::byte> all;
+  for (unsigned colour = 0; colour < 65536; ++colour) {
+    all.push_back(static_cast<std::byte>(colour >> 8));
+    all.push_back(static_cast<std::byte>(colour));
+  }
+  const std::uint64_t before = wide_bus.bytes();
+  ASSERT_EQ(widening.write({0, 0, kSide, kSide}, all), hal::Error::none);
+  ASSERT_EQ(widening.wait(), hal::Error::none);
+  EXPECT_EQ(wide_bus.bytes() - before, 5U + 5U + 1U + 3U * 65536U);
+  ASSERT_EQ(plain.write({0, 0, kSide, kSide}, all), hal::Error::none);
+  ASSERT_EQ(plain.wait(), hal::Error::none);
+  EXPECT_EQ(wide.seen().rgb, narrow.seen().rgb);
+  EXPECT_EQ(wide.complaints(), std::vector<std::string>{});
+  EXPECT_EQ(narrow.complaints(), std::vector<std::string>{});
+}
+
 TEST(PanelParts, EachAnswersWithItsId) {
   DcsModel gc9a01(kGc9a01Part, {.width = 1, .height = 1});
   Lines(gc9a01).wait(120ms);
@@ -116,7 +175,12 @@ TEST(PanelParts, EachAnswersWithItsId) {
   Lines(ili9342).wait(120ms);
   Lines(ili9342).dcs(0xD9, {0x13});
   EXPECT_EQ(answer_of(ili9342, 0xD3, 0, 1), std::vector<int>{0x42});
-  for (const DcsModel* panel : {&gc9a01, &st7796, &ili9342}) EXPECT_EQ(panel->complaints(), std::vector<std::string>{});
+  DcsModel ili9488(kIli9488Part, {.width = 1, .height = 1});
+  Lines(ili9488).wait(120ms);
+  Lines(ili9488).dcs(0xFB, {0x12});
+  EXPECT_EQ(answer_of(ili9488, 0xD3, 0, 1), std::vector<int>{0x94});
+  for (const DcsModel* panel : {&gc9a01, &st7796, &ili9342, &ili9488})
+    EXPECT_EQ(panel->complaints(), std::vector<std::string>{});
 }
 
 // A disc of diameter 5: the corners are not there, and neither do they show the memory's noise.

@@ -27,7 +27,7 @@ struct WithId : C {
 };
 using Controllers = testing::Types<WithId<St7789, 0x858552>, WithId<Ili9341, 0x009341>, WithId<St7735, 0x7C89F0>,
                                    WithId<St7735Gm11, 0x7C89F0>, WithId<Gc9a01, 0x009A01>, WithId<St7796, 0x007796>,
-                                   WithId<Ili9342, 0x009342>>;
+                                   WithId<Ili9342, 0x009342>, WithId<Ili9488, 0x009488>>;
 struct Names {
   template <class C>
   static std::string GetName(int /*index*/) {

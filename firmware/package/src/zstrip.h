@@ -25,6 +25,7 @@
 #include "zstrip_hal/i2c.hpp"
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/ili9342.hpp"
+#include "zstrip_hal/ili9488.hpp"
 #include "zstrip_hal/parallel_bus.hpp"
 #include "zstrip_hal/present.hpp"
 #include "zstrip_hal/second_core.hpp"
