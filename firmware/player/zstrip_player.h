@@ -40,7 +40,7 @@ typedef enum {
   ZSTRIP_LABEL
 } zstrip_shown;
 
-/** What a pixel shows. */
+/** The thing that a pixel shows. */
 typedef struct {
   zstrip_shown shown;  ///< says which of the scene's tables `index` refers to
   int textured;        ///< 1 for a triangle with a texture of its own, else 0

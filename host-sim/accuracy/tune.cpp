@@ -284,7 +284,7 @@ std::string quality_header(const AccuracyPoint& point, const View& size) {
       "inline constexpr bool kMipmaps = {};\n"
       "/// For zstrip bake: --edges.\n"
       "inline constexpr bool kEdges = {};\n"
-      "/// Of 100 triangles of the meshes how many are to stay when they are baked.\n"
+      "/// Percentage of the triangles that stay when the meshes are baked.\n"
       "inline constexpr int kDetailPercent = {};\n\n"
       "}}  // namespace quality\n",
       point.scene, point.target, to_text(point.settings), size.width, size.height,

@@ -10,7 +10,7 @@
 
 namespace zstrip::sim {
 
-/// What drives the panel of a sketch: zstrip's own driver for an ST7789, or another library.
+/// The driver of a sketch's panel: zstrip's own for an ST7789, or another library.
 enum class DisplayLibrary : std::uint8_t { st7789, tft_espi, lovyangfx, arduino_gfx };
 
 /// Returns ExitStatus::usage for scenes that a player does not draw (with a visibility method), and for a namespace

@@ -12,7 +12,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// What a sketch takes from a library of displays.
+/// The files and the library that a sketch needs for its panel.
 struct LibraryFiles {
   const char* adapter;             ///< a file's name; null for zstrip's own driver
   std::string_view adapter_text;   ///< its content

@@ -27,14 +27,14 @@ struct BoardModel {
   std::uint32_t cores = 1;  ///< number of equal cores; one of them draws unless more are requested
   /// With a model of the core one number: the predicted cycles of K5M and CT (docs/measured/performance.md, "Boards")
   /// divided by the instructions that a Cortex-M3 counts for such plans. It is the mean of both; each differs from it
-  /// by up to a quarter. Without a model an assumption.
+  /// by up to a quarter. For a board without a model it is an assumption.
   CyclesPerEstimate cycles_per_estimate;
 };
 
 /// RAM that arena and pixels cannot use: the renderer, other statics and the stack, rounded up from docs/memory.md.
 inline constexpr std::uint32_t kReservedRam = 4096;
 
-/// Those with a model of the core come first.
+/// Boards that have a model of the core come first.
 std::span<const BoardModel> board_models();
 std::span<const BoardModel> boards_with_core_model();
 /// Returns null if there is no board of this name.

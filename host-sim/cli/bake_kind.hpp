@@ -1,4 +1,4 @@
-// What `zstrip bake` writes, by the ending of its output.
+// The kind of file that `zstrip bake` writes, chosen by the ending of its output.
 #pragma once
 
 #include <cstdint>

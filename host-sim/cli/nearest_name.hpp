@@ -7,15 +7,15 @@
 
 namespace zstrip::sim {
 
-/// The name that the fewest letters inserted, deleted or replaced make of `text`, in any case; where all of them are
-/// numbers, the one that differs least. Of several the first. `names`: at least one.
+/// Returns the name that `text` becomes by inserting, deleting or replacing the fewest letters, whatever their case. If
+/// all names are numbers, returns the one that differs least. The first one wins a tie. `names`: at least one.
 std::string_view nearest_name(std::string_view text, std::span<const std::string_view> names);
 
-/// "'st778' is unknown, did you mean st7789? Known are st7789, ..."; where only numbers are known, of what is none:
-/// "'four' is no number. Known are 1, 2, 4"; of what is gone: "'w16' is gone: use z24 ... Known are ...". `names`: at
-/// least one.
+/// Returns "'st778' is unknown, did you mean st7789? Known are st7789, ...". If all names are numbers and `text` is
+/// not one: "'four' is no number. Known are 1, 2, 4". If an earlier version had the name: "'w16' is gone: use z24 ...
+/// Known are ...". `names`: at least one.
 std::string unknown_value(std::string_view text, std::span<const std::string_view> names);
-/// The same behind the option's name.
+/// Returns the text of unknown_value after the option's name.
 std::string unknown_name(std::string_view option, std::string_view text, std::span<const std::string_view> names);
 
 }  // namespace zstrip::sim

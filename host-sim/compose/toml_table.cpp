@@ -103,7 +103,7 @@ std::optional<std::string> TomlTable::text(const char* key) {
   const toml::node* const node = find(key);
   if (node == nullptr) return std::nullopt;
   const auto* const given = node->as_string();
-  // What the system or the core is given would end there.
+  // The system and the core would take a zero for the end of the text.
   const bool has_zero = given != nullptr && given->get().find('\0') != std::string::npos;
   if (given != nullptr && !given->get().empty() && !has_zero) return given->get();
   wrong(key, fmt::format("'{}' must {}", key,

@@ -19,7 +19,7 @@
 
 namespace zstrip::sim {
 
-/// Of the whole file: its name, and the first thing that is wrong with it.
+/// The errors of a whole file: its name, and the first error in it.
 class TomlErrors {
  public:
   explicit TomlErrors(std::filesystem::path path) : path_(std::move(path)) {}
@@ -48,7 +48,7 @@ class TomlTable {
       : table_(table), title_(std::move(title)), errors_(errors) {}
 
   int line() const;
-  /// Of the key; of the table if it is not there.
+  /// Returns the line of the key, or the line of the table if the key is missing.
   int line_of(std::string_view key) const;
   bool has(std::string_view key) const { return table_.contains(key); }
 

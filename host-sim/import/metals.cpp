@@ -17,7 +17,7 @@ namespace {
 /// Unit vectors along the camera's axes: to the right, up, towards the viewer.
 using Direction = std::array<double, 3>;
 
-/// Of the angle between unit vectors.
+/// Returns the cosine of the angle between unit vectors.
 double cosine(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Direction along(const Direction& v) {

@@ -7,10 +7,11 @@
 
 namespace zstrip::sim {
 
-/// Draws on stderr; erases itself when it goes. Silent if `enabled` is false or stderr is no terminal.
+/// Draws on stderr; erases its line when it is destroyed. Silent if `enabled` is false, or if stderr is not a
+/// terminal.
 class Progress {
  public:
-  /// `step` is what one of them is called.
+  /// `step` is the word for one step.
   Progress(std::uint32_t steps, bool enabled, const char* step = "frame");
   ~Progress();
   Progress(const Progress&) = delete;
@@ -18,7 +19,7 @@ class Progress {
 
   /// `done` of the steps are finished.
   void show(std::uint32_t done);
-  /// The same where only now it is known how many there are; with an estimate of the time that is left.
+  /// Does the same if the number of steps was not known before, and adds an estimate of the time that is left.
   void show(std::uint32_t done, std::uint32_t steps);
 
  private:

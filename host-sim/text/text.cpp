@@ -18,8 +18,8 @@ std::size_t length_of(std::string_view text) {
   return whole ? length : 1;
 }
 
-/// Whether a terminal obeys the character instead of showing it: ASCII's and C1's controls, ends of lines and
-/// paragraphs, and what turns the direction of text.
+/// True if a terminal obeys the character instead of showing it: controls of ASCII and C1, ends of lines and
+/// paragraphs, and marks that change the direction of text.
 bool is_control(std::string_view character) {
   const auto first = static_cast<std::uint8_t>(character[0]);
   if (character.size() == 1) return first < 0x20 || first == 0x7F || (first >= 0x80 && first < 0xA0);

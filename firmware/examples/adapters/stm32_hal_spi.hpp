@@ -86,8 +86,8 @@ class Stm32HalSpi {
   Stm32Pin data_command_, select_;
 };
 
-/// The same, with data by DMA. Of more than 65,535 bytes wait() starts the rest. The handle's state says that a
-/// transfer has ended, so the HAL's callbacks are the program's.
+/// Stm32HalSpi that sends data by DMA. If there are more than 65,535 bytes, wait() starts the rest. The handle's state
+/// says that a transfer has ended, so that the program can use the HAL's callbacks for itself.
 class Stm32HalSpiDma : public Stm32HalSpi {
  public:
   using Stm32HalSpi::Stm32HalSpi;

@@ -22,7 +22,7 @@ function summary(point) {
     `wrong pixels ${number(point.errors.wrong_pixels)} %, PSNR ${number(point.errors.psnr)} dB`;
 }
 
-// What each stage of drawing alone does with these settings, where that was measured.
+// Lists the error that each stage of drawing causes alone with these settings, if it was measured.
 function causesOf(scene, point) {
   const own = scene.causes.filter((c) => Object.keys(c.knobs).every((k) => c.knobs[k] === point.knobs[k]));
   return own.length === 0 ? '' : '\nvisible error of each cause alone: ' + own.map((c) => `${c.cause} ${number(c.perceived)}`).join(', ');

@@ -107,7 +107,7 @@ void GltfMaterials::read_shine(const GltfJson& from, bool textured, SourceMateri
 std::optional<GltfTextureUse> GltfMaterials::read_specular_glossiness(const GltfJson& from, SourceMaterial& to) const {
   const std::optional<GltfTextureUse> diffuse_texture = textures_.use_of(from, "diffuseTexture");
   const std::optional<GltfTextureUse> specular_texture = textures_.use_of(from, "specularGlossinessTexture");
-  // What the format assumes, a white mirror, is hardly meant.
+  // Without a factor the format assumes a white mirror, which files hardly mean.
   if (!member(from, "specularFactor").is_array() && !specular_texture) return diffuse_texture;
   const auto diffuse = numbers_in<4>(from, "diffuseFactor", {1, 1, 1, 1});
   const auto specular = numbers_in<3>(from, "specularFactor", {1, 1, 1});

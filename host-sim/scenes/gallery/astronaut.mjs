@@ -81,7 +81,7 @@ writeModel(
     'astronaut/suit.glb', {suit: occluded(welded(body, 75), {others: visor, reach: 0.7, dark: [0.34, 0.36, 0.46]})});
 writeModel('astronaut/visor.glb', {visor: welded(visor, 80)}, {texcoords: false});
 
-// What the visor mirrors, as a ball would: the sky, the sun, the planet below, the arms of the figure's own.
+// The visor mirrors, as a ball would: the sky, the sun, the planet below, the astronaut's own arms.
 writePicture('astronaut/visor.png', 32, 32, (u, v) => {
   const [x, y] = [2 * u - 1, 1 - 2 * v], r = Math.hypot(x, y);
   let colour = mix('#2a1c08', '#7a5210', Math.min(1, Math.max(0, 0.5 + 0.5 * y)));

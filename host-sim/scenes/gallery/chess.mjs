@@ -80,7 +80,7 @@ const side = [
 const rim = [0, 90, 180, 270].flatMap((turn) => placed(side, {turn: [0, turn, 0]}));
 writeModel('chess/rim.glb', {rim: welded(rim, 10)});
 
-// What the pieces keep of the light from the board: a soft spot under each of them, where chess.toml puts it.
+// The pieces shade the board: there is a soft dark spot under each of them, where chess.toml puts it.
 const scene = fs.readFileSync('chess.toml', 'utf8');
 const places =
     [...scene.matchAll(/material = "(?:ivory|ebony)"\ntranslation = \[(.*)\]/g)].map(([, at]) => JSON.parse(`[${at}]`));

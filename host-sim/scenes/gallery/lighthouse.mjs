@@ -85,7 +85,7 @@ const land = [
 ];
 writeModel('lighthouse/land.glb', {land: occluded(welded(land, 46), {reach: 1.2, dark: [0.4, 0.36, 0.46]})});
 
-// What shines: the lantern and windows.
+// The lantern and the windows shine.
 const pane = (at) => placed(placed(scaled(card(1, '#ffd27a'), [0.07, 0.08, 1]), {at}), atHouse);
 const towerPane = (y) => placed(
     scaled(card(1, '#ffc468'), [0.06, 0.085, 1]),

@@ -33,7 +33,7 @@ const chest = [
 const lamps = [[-0.14, kRed], [0, '#f4d040'], [0.14, '#58c070']].flatMap(
     ([x, colour]) => polygon(
         [[x - 0.05, 0.06, 0.34], [x + 0.05, 0.06, 0.34], [x + 0.05, 0.15, 0.34], [x - 0.05, 0.15, 0.34]], colour));
-// The same from the front and from the back, so that half a turn makes one arm the other.
+// An arm looks the same from the front and from the back, so that rotating it by 180 degrees makes the other arm.
 const arm = [
   ...ball(0.17, 4, 6, kSteel),
   ...tube([[0.02, -0.08, 0], [0.1, -0.28, 0], [0.12, -0.56, 0]], 0.085, 6, kDark),

@@ -151,7 +151,7 @@ writePicture('train/track.png', 16, 32, (u, v) => {
 });
 
 // The train. Each car looks along +z.
-// Of wheels only what is outside.
+// Wheels have only their outer side, which is the one that is seen.
 const wheel = (x, z, r) => placed(
     polygon(
         Array.from({length: 7}, (_, i) => [r * Math.cos(2 * Math.PI * i / 7), r * Math.sin(2 * Math.PI * i / 7), 0]),
