@@ -58,6 +58,8 @@ class PanelModel {
   /// Returns the brightness of the light that the controller sets, that of a backlight or of its own pixels: 0
   /// dark..255; nothing if it sets none.
   virtual std::optional<unsigned> brightness() const { return std::nullopt; }
+  /// Returns the time that the panel has taken to refresh its glass, in which it accepts nothing.
+  virtual Nanoseconds refreshing() const { return 0ns; }
   /// Returns each complaint once, in order.
   const std::vector<std::string>& complaints() const { return complaints_; }
   void forgive() { complaints_.clear(); }

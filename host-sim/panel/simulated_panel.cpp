@@ -1,13 +1,16 @@
 // Combines drivers and models, with the wiring of the usual modules.
 #include "panel/simulated_panel.hpp"
 
+#include <cstddef>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "panel/dcs_model.hpp"
 #include "panel/ssd0323_model.hpp"
 #include "panel/ssd1306_model.hpp"
 #include "panel/ssd1351_model.hpp"
+#include "panel/ssd1680_model.hpp"
 #include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/ili9342.hpp"
@@ -15,6 +18,7 @@
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
+#include "zstrip_hal/ssd1680.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
 #include "zstrip_hal/st7796.hpp"
@@ -35,6 +39,7 @@ constexpr PanelModule kIli9488Modules[] = {{320, 480, 0, 0}};
 constexpr PanelModule kSsd1351Modules[] = {{128, 128, 0, 0}, {128, 96, 0, 0}};
 constexpr PanelModule kSsd1306Modules[] = {{128, 64, 0, 0}, {128, 32, 0, 0}, {64, 48, 32, 0}};
 constexpr PanelModule kSsd0323Modules[] = {{128, 64, 0, 0}};
+constexpr PanelModule kSsd1680Modules[] = {{128, 296, 0, 0}, {122, 250, 0, 0}};
 
 constexpr PixelFormat kColours[] = {PixelFormat::rgb565_swapped, PixelFormat::rgb666, PixelFormat::rgb444};
 constexpr PixelFormat kWideFirst[] = {PixelFormat::rgb666, PixelFormat::rgb565_swapped};
@@ -142,6 +147,34 @@ std::unique_ptr<SimulatedPanel> ssd0323_panel(const PanelRequest& request) {
                                            [&config](ModelBus& bus) { return Driver(bus, config); });
 }
 
+/// The BUSY line of e-paper.
+struct BusyPin {
+  const Ssd1680Model* panel;
+  hal::Error read(bool& high) {
+    high = panel->is_busy();
+    return hal::Error::none;
+  }
+};
+
+/// The picture's memory is destroyed after the driver that refers to it.
+struct PictureMemory {
+  std::vector<std::byte> bytes;
+};
+class ModelledSsd1680 : private PictureMemory, public hal::Ssd1680<ModelBus, BusyPin, ModelBus> {
+ public:
+  ModelledSsd1680(ModelBus& bus, const Ssd1680Model& panel, const hal::Ssd1680Config& config)
+      : PictureMemory{std::vector<std::byte>(memory_bytes(config))}, Ssd1680(bus, {&panel}, bus, bytes, config) {}
+};
+
+std::unique_ptr<SimulatedPanel> ssd1680_panel(const PanelRequest& request) {
+  const hal::Ssd1680Config config{
+      .width = request.module.width, .height = request.module.height, .orientation = request.orientation};
+  auto model = std::make_unique<Ssd1680Model>(Ssd1680Glass{.width = config.width, .height = config.height});
+  const Ssd1680Model& panel = *model;
+  return std::make_unique<PanelOf<ModelledSsd1680>>(std::move(model), timing_of(request.bus, request.cycle),
+                                                    [&](ModelBus& bus) { return ModelledSsd1680(bus, panel, config); });
+}
+
 }  // namespace
 
 std::span<const PanelKind> panel_kinds() { return kKinds; }
@@ -157,6 +190,7 @@ std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
   if (name == "ssd1351") return ssd1351_panel(request);
   if (name == "ssd1306") return ssd1306_panel(request);
   if (name == "ssd0323") return ssd0323_panel(request);
+  if (name == "ssd1680") return ssd1680_panel(request);
   if (name == "ili9341") {
     return dcs_panel<hal::Ili9341, hal::Ili9341Controller>(request, kIli9341Part, hal::kIli9341Module240x320);
   }

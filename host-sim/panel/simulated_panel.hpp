@@ -64,6 +64,8 @@ class SimulatedPanel {
 
   virtual const PanelModel& model() const = 0;
   virtual const ModelBus& bus() const = 0;
+  /// Returns the time of all transfers and refreshes.
+  Nanoseconds busy() const { return bus().busy() + model().refreshing(); }
 };
 
 static_assert(hal::Display<SimulatedPanel>);

@@ -25,6 +25,9 @@ namespace pages {
 struct Pin {
   zstrip::hal::Error set(bool);
 };
+struct InputLine {
+  zstrip::hal::Error read(bool& high);
+};
 struct OpenDrain {
   zstrip::hal::Error pull_low();
   zstrip::hal::Error release();
@@ -108,6 +111,11 @@ int drawn() {
 
 int rotated() {
   // docs/panels.md: Rotated
+  return 0;
+}
+
+int on_paper(InputLine busy_pin, Pin reset_pin) {
+  // docs/panels.md: E-paper
   return 0;
 }
 

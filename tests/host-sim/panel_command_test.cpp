@@ -83,8 +83,8 @@ TEST_F(PanelCommand, TheBusTakesTheTimeOfItsBytes) {
 }
 
 TEST_F(PanelCommand, EveryPanelShowsFrames) {
-  for (const char* panel :
-       {"st7789", "ili9341", "st7735", "gc9a01", "st7796", "ili9342", "ili9488", "ssd1351", "ssd1306", "ssd0323"}) {
+  for (const char* panel : {"st7789", "ili9341", "st7735", "gc9a01", "st7796", "ili9342", "ili9488", "ssd1351",
+                            "ssd1306", "ssd0323", "ssd1680"}) {
     const Outcome outcome = zstrip({"-o", panel, "--frames", "2", "--panel", panel});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "") << panel;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench.hpp"
+#include "picture_strips.hpp"
 #include "zstrip_hal/output_pin.hpp"
 #include "zstrip_hal/present.hpp"
 
@@ -126,24 +127,6 @@ TYPED_TEST(PanelDriver, TakesALevelOfBrightness) {
     EXPECT_FALSE(bench.panel->brightness()) << "the controller could";
   }
 }
-
-struct Drawn {
-  explicit operator bool() const { return true; }
-};
-/// Draws the strips of a picture; the buffers hold garbage beyond.
-struct PictureStrips {
-  const Picture& picture;
-  PixelFormat format;
-  std::uint16_t rows;
-  Drawn draw_strip(std::uint16_t strip, std::span<std::byte> pixels) const {
-    std::ranges::fill(pixels, std::byte{0x5A});
-    const auto top = static_cast<std::uint16_t>(strip * rows);
-    const auto height = static_cast<std::uint16_t>(std::min<int>(rows, picture.height - top));
-    const std::vector<std::byte> bytes = bytes_of(picture, {0, top, picture.width, height}, format);
-    std::ranges::copy(bytes, pixels.begin());
-    return {};
-  }
-};
 
 template <class C>
 Error present_picture(Bench<C>& bench, const Picture& picture, bool two_buffers) {

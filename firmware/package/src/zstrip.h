@@ -32,6 +32,7 @@
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
+#include "zstrip_hal/ssd1680.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
 #include "zstrip_hal/st7796.hpp"
