@@ -54,6 +54,7 @@ constexpr PanelKind kKinds[] = {
     {"st7796", kSt7796Modules, kAll.first(2), 66ns, 0ns}, {"ili9342", kIli9342Modules, kAll.first(2), 100ns, 0ns},
     {"ili9488", kIli9488Modules, kWideFirst, 50ns, 0ns},  {"ssd1351", kSsd1351Modules, kAll.first(1), 50ns, 0ns},
     {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns},   {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
+    {"ssd1680", kSsd1680Modules, kMono, 50ns, 0ns},
 };
 
 /// Owns the objects that the driver refers to.
