@@ -13,7 +13,7 @@ zstrip_packages() {
   awk -v wanted=" $* " '!/^#/ && NF == 2 && index(wanted, " " $1 " ") { print $2 }' "$zstrip_root/cmake/zstrip_packages.txt"
 }
 
-# Of the packages given on standard input, those that are not installed: all of them where dpkg-query does not answer.
+# Prints the packages of standard input that are not installed; all of them if dpkg-query does not answer.
 # A name that another package provides counts.
 zstrip_missing_packages() {
   local installed

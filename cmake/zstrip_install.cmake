@@ -10,7 +10,7 @@ install(TARGETS zstrip_core zstrip_core_any zstrip_methods zstrip_hal zstrip_lto
 install(DIRECTORY core/zstrip hal/zstrip_hal firmware/player/zstrip_player DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT zstrip_development FILES_MATCHING PATTERN *.hpp)
 install(FILES firmware/player/zstrip_player.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT zstrip_development)
-# Of the scenes what sets them in motion, for the player.
+# The headers that set scenes in motion, for the player.
 set(scenes firmware/scenes/include/zstrip_scenes)
 install(FILES ${scenes}/baked_stage.hpp ${scenes}/built_in.hpp ${scenes}/stage.hpp
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zstrip_scenes COMPONENT zstrip_development)

@@ -18,7 +18,7 @@ rm -rf zstrip
 cp -R "$root/firmware/package" zstrip
 cp -R "$root/core/zstrip" "$root/hal/zstrip_hal" "$root"/firmware/player/zstrip_player{,.h} zstrip/src
 rm zstrip/src/zstrip_player/any_player.hpp
-# Of the scenes what sets them in motion, for the player.
+# The headers that set scenes in motion, for the player.
 mkdir zstrip/src/zstrip_scenes
 cp "$root"/firmware/scenes/stage.cpp "$root"/firmware/scenes/include/zstrip_scenes/{stage,baked_stage,built_in}.hpp zstrip/src/zstrip_scenes
 cp -R "$root/firmware/examples" zstrip/examples

@@ -30,9 +30,10 @@ function(zstrip_compile_quickly)
   endif()
 endfunction()
 
-# zstrip_compile_together(TARGET PART [QUICKLY] [PRECOMPILED header...] [APART source...]): if the part is to be. QUICKLY: of
-# the optimiser only -O1 then, as zstrip_compile_quickly. PRECOMPILED: clang parses these once. APART: names of theirs
-# clash with others', or the others would take long to be compiled again.
+# zstrip_compile_together(TARGET PART [QUICKLY] [PRECOMPILED header...] [APART source...]): joins the target's sources if
+# ZSTRIP_COMPILE_TOGETHER has the part. QUICKLY: they are then compiled with -O1, as by zstrip_compile_quickly. PRECOMPILED:
+# clang parses these headers once. APART: sources that are not joined, because their names clash with others', or because
+# the others would take long to compile again.
 function(zstrip_compile_together target part)
   cmake_parse_arguments(PARSE_ARGV 2 arg "QUICKLY" "" "PRECOMPILED;APART")
   if(part IN_LIST ZSTRIP_COMPILE_TOGETHER)

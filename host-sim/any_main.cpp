@@ -1,4 +1,4 @@
-// zstrip-any: the zstrip command with every pipeline. The command runs it where the common ones do not do.
+// zstrip-any: the zstrip command with every pipeline. The command runs it if no common pipeline can draw a scene.
 #include "cli/commands.hpp"
 #include "zstrip/visibility.hpp"
 

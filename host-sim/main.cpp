@@ -14,8 +14,8 @@ char** arguments;
 
 namespace zstrip::detail {
 
-/// In place of zstrip::core_any's. It is asked for a pipeline that is not among the common ones, before anything was
-/// printed or written: the program that has them all starts again with the same words.
+/// Replaces the function of zstrip::core_any. It is called if a pipeline is not among the common ones, before anything
+/// was printed or written: the program that has all pipelines then starts with the same words.
 std::span<const PipelineRow> rows_of_depth() { std::exit(sim::become(sim::kAnyPipeline, arguments)); }
 
 }  // namespace zstrip::detail

@@ -6,7 +6,7 @@
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
-# There is no C library to link test programs with.
+# Test programs of CMake are not linked, because there is no C library.
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES ZSTRIP_CPU ZSTRIP_FPU)
 

@@ -1,6 +1,6 @@
 # What the toolchains of targets without an operating system share; included by them.
 set(CMAKE_SYSTEM_NAME Generic)
-# There is no C library to link test programs with.
+# Test programs of CMake are not linked, because there is no C library.
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 # In the cache before CMake's own default, which is -O3.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2" CACHE STRING "Flags of the Release build type")

@@ -40,7 +40,7 @@ constexpr std::string_view kPlayer =
     R"(constexpr zstrip::FitOptions kOptions{.strip_buffers = @::kBudget.strip_buffers > 1 ? 2 : 1,
                                       .split_columns = @::kBudget.split_columns,
                                       .strip_rows = @::kPlan.strip_rows};
-// The arena and the strips of the header's plan, which --ram makes smaller, moving data, and the gaps between them.
+// Memory for arena and strips of the header's plan (--ram makes them smaller), for moving data, and for gaps.
 std::byte memory[@::kPlan.bytes() + kOptions.strip_buffers * @::kPlan.strip_pixel_bytes(@::kView) +
                  @::kScene.instances.size_bytes() + @::kScene.lines.size_bytes())";
 /// Memory for the tables of the overlay, with room for the player's text.
@@ -130,7 +130,8 @@ constexpr int kDataCommand = 8, kReset = 9, kSelect = 10;  // kSelect = -1 witho
 
 SketchPanel own_panel(const View& view) {
   return {.head = R"( A sketch for Arduino with an ST7789, written by `zstrip bake`.
-// It lies in a folder of the same name, beside scene.hpp: the same command with -o scene.hpp, or both by -o FOLDER/.
+// Put it into a folder of the same name, next to scene.hpp, which the same command writes with -o scene.hpp. With
+// -o FOLDER/ it writes both.
 #include <zstrip.h>
 #include <zstrip_arduino.h>
 

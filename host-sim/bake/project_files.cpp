@@ -58,7 +58,7 @@ std::string tft_espi_flags(const View& view, const BoardPins& pins) {
 
 std::string platformio_ini(const BakedScene& baked, DisplayLibrary library) {
   std::string text =
-      R"(; Written by `zstrip bake`. zstrip's package, the folder zstrip of its archive, goes into lib/ beside this file.
+      R"(; Written by `zstrip bake`. zstrip's package, the folder zstrip of its archive, goes into lib/ next to this file.
 ; The sketch is also one of the Arduino IDE, so it lies in the project's folder itself.
 [platformio]
 src_dir = .

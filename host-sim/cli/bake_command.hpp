@@ -47,7 +47,7 @@ struct BakeTrial {
   std::function<Result<Done>(const BakedScene& scene, const BakeRecord& record)> see;
 };
 
-/// Reads the scene, plans and writes it. With a trial the failures are the same, but for those of writing.
+/// Reads the scene, plans and writes it. With a trial the failures are the same, except those of writing.
 Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial = nullptr);
 
 /// Adds the subcommand; when it runs, it stores the exit status.

@@ -3,7 +3,7 @@
 
 namespace zstrip::sim {
 
-/// run_command_line with all subcommands but those of other programs, which only its help lists.
+/// Calls run_command_line with all subcommands except those of other programs, which only its help lists.
 int run_command(int argc, char** argv);
 
 }  // namespace zstrip::sim

@@ -7,9 +7,9 @@
 
 namespace zstrip::sim {
 
-/// Accepts these values in any case and returns them as they are written here. The message about another value lists
-/// them and says the nearest. Failures: ExitStatus::usage, as for all options. `values`: at least one, no two of which
-/// differ only in case.
+/// Accepts these values in any case and returns them as they are written here. For another value the message lists them
+/// and names the nearest. Failures: ExitStatus::usage, as for all options. `values`: at least one; no two may differ
+/// only in case.
 CLI::Validator one_of(std::vector<std::string> values);
 
 /// Converts the value to lower case: for options with lower case words that are read later.

@@ -1,4 +1,4 @@
-// Pixels become a JPEG file, by libjpeg-turbo.
+// Writes pixels as a JPEG file, by libjpeg-turbo.
 #include "image/jpeg_writer.hpp"
 
 #include <fmt/format.h>

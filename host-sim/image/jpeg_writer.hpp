@@ -1,4 +1,4 @@
-// Pixels become a JPEG file.
+// Writes pixels as a JPEG file.
 #pragma once
 
 #include <cstdint>

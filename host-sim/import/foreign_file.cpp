@@ -1,4 +1,4 @@
-// Tells what a file is that is no model: a web page, an archive, a picture, a model of a program too old or too new.
+// Recognises files that are not models: a web page, an archive, a picture, a model of a program too old or too new.
 #include "import/foreign_file.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 4> kZipped{".3mf", ".zae", ".ifczip", ".k
 
 constexpr std::string_view kUnpack = "unpack it first, and name the model in it";
 
-/// Words of the program that packed the file, with what to do.
+/// Returns a message with the program that packed the file, and what to do.
 std::optional<std::string> packed_kind(std::string_view begin, std::string_view ending) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kPackers{
       {{"PK\3\4"sv, "a zip archive"},
@@ -34,7 +34,7 @@ std::optional<std::string> packed_kind(std::string_view begin, std::string_view 
     if (!begin.starts_with(magic)) continue;
     if (magic.starts_with("PK") && std::ranges::find(kZipped, ending) != kZipped.end()) return std::nullopt;
     if (ending == ".blend") {
-      // Assimp unpacks those of gzip.
+      // Assimp unpacks files that gzip packed.
       if (magic.starts_with("\x1F\x8B")) return std::nullopt;
       return fmt::format("is {}; save it in Blender without compression, or export it as .glb", name);
     }
@@ -43,7 +43,7 @@ std::optional<std::string> packed_kind(std::string_view begin, std::string_view 
   return std::nullopt;
 }
 
-/// FBX before 7.1, of 2011, is another format.
+/// Returns a message for FBX before 7.1, of 2011, which is another format.
 std::optional<std::string> old_fbx(std::string_view begin) {
   constexpr std::string_view kBinary = "Kaydara FBX Binary", kVersion = "FBXVersion:";
   unsigned version = 0;

@@ -1,4 +1,4 @@
-// Tells what a file is that is no model: a web page, an archive, a picture, a model of a program too old or too new.
+// Recognises files that are not models: a web page, an archive, a picture, a model of a program too old or too new.
 #pragma once
 
 #include <optional>

@@ -48,7 +48,7 @@ bool is_archive(const std::filesystem::path& path) {
   return std::ranges::find(kEndings, ending_of(path)) != std::end(kEndings);
 }
 
-/// True for what zstrip bake writes, but for blobs.
+/// True for the files that zstrip bake writes, except blobs.
 bool is_for_firmware(const std::filesystem::path& path) {
   constexpr std::string_view kEndings[] = {".uf2", ".hpp", ".h", ".ino", ".cpp"};
   return std::ranges::find(kEndings, ending_of(path)) != std::end(kEndings);

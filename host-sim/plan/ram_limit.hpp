@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// Bytes for the arena and the strip's pixels where nothing else is asked for: small boards have so much.
+/// Bytes for the arena and the strip's pixels if the user names no limit: small boards have this much.
 inline constexpr std::uint32_t kUsualRam = 24 * 1024;
 
 enum class RamLimit : std::uint8_t {

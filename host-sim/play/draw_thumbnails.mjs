@@ -9,7 +9,7 @@ import {Drawing} from './page/drawing.mjs';
 const kSize = '144x144';
 
 async function load(module) {
-  // Emscripten's code for Node.js takes both from scripts that are no modules.
+  // Emscripten's code for Node.js expects both names, which only scripts have, not modules.
   globalThis.require ??= createRequire(import.meta.url);
   globalThis.__dirname ??= dirname(module);
   const quit = (status, exit) => { throw exit; };  // else Node.js ends with the command's status

@@ -1,8 +1,8 @@
 // Gathers the page with the example scenes in a folder that any server of files can show:
-//     node gather_page.mjs FOLDER MODULE...     (MODULE: what was linked, .mjs and .wasm, which draws the thumbnails)
-// ZSTRIP_PICO_PROGRAM names zstrip_pico_player.uf2, ZSTRIP_PICO2_PROGRAM zstrip_pico2_player.uf2; else the page gets those
-// of the build tree that are there, and it is said which it does not get.
-// Exit status: 0, 1 one that is named is no file, or a module is none: FOLDER is as it was.
+//     node gather_page.mjs FOLDER MODULE...     (MODULE: the linked .mjs and .wasm, which also draw the thumbnails)
+// ZSTRIP_PICO_PROGRAM names zstrip_pico_player.uf2, ZSTRIP_PICO2_PROGRAM zstrip_pico2_player.uf2. Without a name the
+// page gets the program of the build tree; if that is missing, a line says so. Exit status: 0, or 1 if a named program
+// or a module is not a file; then FOLDER does not change.
 import {copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {basename, dirname, join, relative, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';

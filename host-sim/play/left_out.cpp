@@ -9,7 +9,7 @@
 
 namespace zstrip::scenes {
 
-// 370 KB at random, which no compression makes smaller.
+// The scene has 370 KB of random numbers, which cannot be compressed.
 const TriangleSoup<10000> kRandom10k{};
 const std::array<Meshlet, kRandom10kMeshlets> kRandom10kMeshletTable{};
 

@@ -1,5 +1,6 @@
-// Emscripten's standard library of 2021 has the concepts of C++20's ranges, but not the algorithms, nor numbers from
-// characters. Here are those that zstrip calls, by what it has. Included before each source, by the compiler's option.
+// Emscripten's standard library of 2021 has the concepts of C++20's ranges, but not the algorithms, and no conversion
+// from characters to numbers. This file has the functions that zstrip calls, made from what that library has. An option
+// of the compiler includes it before each source.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr To bit_cast(const From& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
 
-/// Decimal, as the standard has it: no white space, no plus, no hexadecimal.
+/// Accepts decimal numbers as the standard does: without white space, plus sign or hexadecimal digits.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   const string text(first, find_if_not(first, last, [](char c) {
                       return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == 'e' || c == 'E' || c == '+';

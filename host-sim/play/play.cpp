@@ -105,7 +105,7 @@ Json boards() {
   return boards;
 }
 
-/// As ImageData has them: red, green, blue, and no transparency.
+/// Converts to the pixels of ImageData: red, green, blue, and opaque alpha.
 void convert_pixels(const RgbImage& picture) {
   rgba.resize(picture.rgb.size() / 3 * 4);
   for (std::size_t from = 0, to = 0; from < picture.rgb.size(); from += 3, to += 4) {
@@ -135,7 +135,7 @@ Json rates_of_frame() {
   return rates;
 }
 
-/// Nothing but where the frame was compared with the truth. `key`: some differences and their colours.
+/// Returns null if the frame was not compared with the truth. `key`: some differences and their colours.
 Json accuracy_of_frame() {
   if (!viewed.heat) return nullptr;
   Json key = Json::array();
@@ -152,8 +152,8 @@ Json accuracy_of_frame() {
 
 extern "C" {
 
-/// `words`: the scene and the options of `zstrip view`, one a line. All answers are JSON: what was asked for, or
-/// {"error", "status"}; then the scene before stays open.
+/// `words`: the scene and the options of `zstrip view`, one a line. All answers are JSON: the result, or
+/// {"error", "status"}; after an error the last scene stays open.
 EMSCRIPTEN_KEEPALIVE const char* zstrip_open(const char* words) {
   const Result<ViewRequest> request = parse(words);
   if (!request) return answered(request.failure());

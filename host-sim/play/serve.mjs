@@ -1,6 +1,7 @@
 // Serves the files of a folder to this machine alone:
 //     node serve.mjs FOLDER [PORT]
-// Any page that is open in a browser here can send it requests: it reads files of the folder, and nothing ends it.
+// Any page that is open in a browser here can send requests, so it only reads files of the folder, and no request ends
+// it.
 import {constants, realpathSync} from 'node:fs';
 import {open, realpath} from 'node:fs/promises';
 import {createServer} from 'node:http';

@@ -1,5 +1,5 @@
-// How a model is shown that says nothing about it: seen from three quarters, with a margin, lit from all sides, in
-// front of a light background. Scene files, baked scenes and measurements have the plain look, or one of their own.
+// The default camera, light and background of a model: seen from three quarters, with a margin, lit from all sides, in
+// front of a light background. Scene files, baked scenes and measurements have the plain look, or their own.
 #pragma once
 
 #include "zstrip/scene.hpp"
@@ -16,10 +16,11 @@ struct DefaultLook {
   Colour ambient = scenes::kAmbient;
 };
 
-/// Frontal, in front of black.
+/// The model is seen from the front, on a black background.
 inline constexpr DefaultLook kPlainLook{};
 
-/// For people. `format`: one bit has no light grey, and a lit model would be as white as its background.
+/// Returns the look for people. With one bit a pixel the background is black: light grey would be as white as the
+/// model.
 constexpr DefaultLook look_for_people(PixelFormat format) {
   DefaultLook look{.yaw = 30,
                    .filled = 0.9,

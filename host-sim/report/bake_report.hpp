@@ -18,14 +18,14 @@
 
 namespace zstrip::sim {
 
-/// How visibility is found, where not by the z-buffer.
+/// The visibility method, if it is not the z-buffer.
 struct BakedMethodRecord {
   Effects method;
   std::size_t splits = 0;  ///< triangles that were cut
   std::size_t nodes = 0;   ///< of the tree
 };
 
-/// Potentially visible sets that were written beside the scene.
+/// Potentially visible sets that were written in addition to the scene.
 struct VisibleSetRecord {
   std::string output;
   std::uint32_t cells = 0, sets = 0, meshlets = 0;

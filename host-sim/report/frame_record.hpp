@@ -22,7 +22,7 @@ struct BusUse {
 struct FrameRecord {
   std::string file;
   FrameReport report;
-  BusUse bus{};                          ///< where there is a panel
+  BusUse bus{};                          ///< only with a panel
   std::optional<std::uint32_t> wrong{};  ///< pixels that the judge of visibility finds wrong, where it was used
   std::optional<HeatFigures> heat{};     ///< against the truth, where that was drawn
   std::optional<PickedPixel> picked{};   ///< of --pick
@@ -44,14 +44,14 @@ struct RunRecord {
   std::optional<PanelRecord> panel{};
 };
 
-/// As the enumerators: "rgb565", "gray4" ...
+/// Returns the name of the enumerator: "rgb565", "gray4" ...
 const char* name(PixelFormat format);
-/// "mono", or "mono dithered, 4 samples a pixel".
+/// Returns "mono", or "mono dithered, 4 samples a pixel".
 std::string format_words(const View& view);
-/// "streamed", "binned".
+/// Returns "streamed" or "binned".
 const char* name(Mode mode);
 
-/// Some lines for a person; at least one frame.
+/// Returns some lines for a person. The run must have at least one frame.
 std::string summary(const RunRecord& run);
 
 /// One JSON object with a line end; keys are documented in README.md.

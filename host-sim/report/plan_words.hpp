@@ -12,20 +12,20 @@
 
 namespace zstrip::sim {
 
-/// "streamed, 4 strips of 16 rows", or "streamed, 24 strips of 56x60".
+/// Returns "streamed, 4 strips of 16 rows", or "streamed, 24 strips of 56x60".
 std::string shape(const Plan& plan, const View& view);
 
-/// In the order of a plan's table.
+/// Returns the bytes of each purpose, in the order of a plan's table.
 std::array<std::pair<Purpose, std::uint32_t>, 7> by_purpose(const Plan& plan);
 
-/// "1,234 bytes (instances 160, depth 1,074), and 512 for the pixels of a strip".
+/// Returns "1,234 bytes (instances 160, depth 1,074), and 512 for the pixels of a strip".
 std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Effects method);
 
 /// Says how many bytes a visibility method takes and saves in a plan: "painter: 800 bytes for sorting, 30,720 bytes of
 /// z-buffer saved".
 std::string visibility_words(const Plan& plan, Effects method);
 
-/// Names of those of `effects` that estimated_cost knows no price of.
+/// Returns the names of the `effects` that estimated_cost does not include.
 std::vector<std::string> left_out_of_estimates(Effects effects);
 
 }  // namespace zstrip::sim

@@ -63,7 +63,7 @@ const bones = [
   }),
 ];
 
-// Angles of what goes to and fro: legs forwards are negative about x.
+// Angles of swinging parts; a leg that swings forwards has a negative angle about x.
 const wave = (share, shift = 0) => Math.sin(2 * Math.PI * (share + shift));
 const gait = ({stride, knee, rest, arms, elbow, spread, lean, bob, twist}) => (share) => {
   const leg = (side, shift) => ({

@@ -1,4 +1,4 @@
-// How different two words are, for "did you mean".
+// The difference between two words, for "did you mean".
 #pragma once
 
 #include <cstddef>

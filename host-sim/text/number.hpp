@@ -7,10 +7,10 @@
 
 namespace zstrip::sim {
 
-/// 1234567 as "1,234,567", whatever the locale.
+/// Returns 1234567 as "1,234,567" in every locale.
 std::string grouped(std::uint64_t value);
 
-/// "1 byte", "1,234 bytes", "2 meshes".
+/// Returns "1 byte", "1,234 bytes", "2 meshes".
 std::string counted(std::uint64_t value, std::string_view thing);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// A thread that writes lines while another one works: some steps are those of libraries that do not call back.
+// A thread writes the lines while another one works, because some steps run in libraries that do not call back.
 #include "text/step_report.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ StepReport::StepReport(bool enabled, std::chrono::milliseconds every)
   if (!enabled) return;
   current = this;
   if (every == 0ms) return;
-  // Signals are for the thread that works.
+  // The working thread handles the signals, not this one.
   sigset_t all, before;
   ::sigfillset(&all);
   ::pthread_sigmask(SIG_SETMASK, &all, &before);

@@ -1,4 +1,4 @@
-// Tells which step of a long work is being done: to open a model of millions of triangles takes minutes.
+// Prints the current step of long work: opening a model of millions of triangles takes minutes.
 #pragma once
 
 #include <chrono>
@@ -9,11 +9,11 @@
 
 namespace zstrip::sim {
 
-/// While it lives, steps are told on stderr: on a terminal from the first second on, in a line that is rewritten and
-/// goes; else a line every ten seconds. One at a time.
+/// During its lifetime the current step is printed on stderr. On a terminal this is one line that is rewritten and
+/// erased at the end, shown after the first second; elsewhere a line every ten seconds. Only one object at a time.
 class StepReport {
  public:
-  /// Silent unless `enabled`. `every`: between two lines where stderr is no terminal; 0: a line at each step.
+  /// Silent unless `enabled`. `every`: time between two lines if stderr is not a terminal; 0: a line at each step.
   explicit StepReport(bool enabled, std::chrono::milliseconds every = std::chrono::seconds{10});
   ~StepReport();
   StepReport(const StepReport&) = delete;
@@ -38,7 +38,7 @@ class StepReport {
   std::thread thread_;
 };
 
-/// Begins a step, in words such as "reading 'model.obj'". Nothing is told without a StepReport.
+/// Begins a step, in words such as "reading 'model.obj'". Nothing is printed without a StepReport.
 void tell_step(std::string step);
 /// Erases the line of the terminal, before another one is written.
 void hide_step();

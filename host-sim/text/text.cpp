@@ -8,7 +8,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Bytes of the first character in UTF-8; 1 of what is none.
+/// Returns the number of bytes of the first character in UTF-8; 1 if the bytes are not a character.
 std::size_t length_of(std::string_view text) {
   const auto first = static_cast<std::uint8_t>(text[0]);
   const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC0 ? 2 : 1;

@@ -10,10 +10,11 @@ namespace zstrip::sim {
 /// Writes the text and flushes; false if not all of it went out. Never throws.
 bool write_text(std::FILE* stream, std::string_view text);
 
-/// With ASCII's upper case letters in lower case.
+/// Returns the text with ASCII's upper case letters in lower case.
 std::string lower(std::string text);
 
-/// In UTF-8, each control character as '?', and each that turns the direction of text: names of files may hold any.
+/// Returns the text in UTF-8, with '?' for each control character and each mark that changes the direction of text:
+/// names of files may contain them.
 std::string printable(std::string_view text);
 
 }  // namespace zstrip::sim

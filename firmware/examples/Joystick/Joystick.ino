@@ -1,7 +1,7 @@
 // Two models, one of which a joystick moves: the scene's instances lie in RAM, so that the sketch can change their
 // transforms between frames. Your own: in a folder with zstrip's repository
 //   host-sim/run bake MODEL -o scene.hpp --size 240x240 --format rgb565_swapped --clipping on
-// and scene.hpp beside this sketch. The model here is firmware/examples/Joystick/scene.toml.
+// and put scene.hpp next to this sketch. The model here is firmware/examples/Joystick/scene.toml.
 #include <zstrip.h>
 #include <zstrip_arduino.h>
 

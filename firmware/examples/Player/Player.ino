@@ -1,6 +1,6 @@
 // A model on a panel in four calls: open, fit, play, draw. Your own: in a folder with zstrip's repository
 //   host-sim/run bake MODEL -o scene.hpp --size 240x240 --format rgb565_swapped --turntable
-// and scene.hpp beside this sketch. The block is host-sim/scenes/models/block.obj.
+// and put scene.hpp next to this sketch. The block is host-sim/scenes/models/block.obj.
 #include <zstrip.h>
 #include <zstrip_arduino.h>
 

@@ -1,6 +1,6 @@
 // A model of yours, here a ring. In a folder with zstrip's repository, from any model file (.glb .obj .stl ...):
 //   host-sim/run bake MODEL -o scene.hpp --size 240x240 --format rgb565_swapped --ram 20K --turntable
-// and scene.hpp beside this sketch; its first lines say how much flash and RAM it takes. The ring is
+// and put scene.hpp next to this sketch; its first lines say how much flash and RAM it takes. The ring is
 // host-sim/scenes/models/ring.obj.
 #include <SPI.h>
 #include <zstrip.h>
@@ -8,7 +8,7 @@
 
 #include "scene.hpp"
 
-// The panel's pins beside SPI's clock and data. A module without a select pin: kSelect -1, and .mode = SPI_MODE3 below.
+// The panel's pins besides SPI's clock and data. A module without a select pin: kSelect -1, and .mode = SPI_MODE3 below.
 constexpr int kDataCommand = 8, kReset = 9, kSelect = 10;
 constexpr std::uint32_t kHertz = 15'000'000;  // the data sheet's limit; modules are commonly run at 40'000'000
 

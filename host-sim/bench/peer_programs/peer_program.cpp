@@ -36,7 +36,7 @@ void run(const Options& options) {
     for (std::uint32_t i = 0; i < options.draw_each; ++i) renderer->draw(view);
     if (options.draw_each != 0) continue;
     if (frame == 0) {
-      renderer->draw(view);  // what is prepared at the first use is not measured
+      renderer->draw(view);  // so that preparations at the first use are not measured
       covered = covered_pixels(*renderer, scene->background());
     }
     const auto begin = std::chrono::steady_clock::now();

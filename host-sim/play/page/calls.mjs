@@ -17,7 +17,8 @@ worker.onerror = (event) => {
   waiting.clear();
 };
 
-// As those of worker.mjs. A failure has a `message`, a `status` of the command, and `messages` printed besides.
+// Calls a function of worker.mjs. A failure has a `message`, the `status` of the command, and the other printed
+// `messages`.
 export const call = (name, values) => new Promise((resolve, reject) => {
   waiting.set(++calls, {resolve, reject});
   worker.postMessage({id: calls, name, values});

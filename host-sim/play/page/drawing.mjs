@@ -1,11 +1,11 @@
 // The command and the viewer in WebAssembly, for a worker of the page or for Node.js. Errors are thrown, in words.
 
-// Where files of the user and of examples lie, and what commands write.
+// Folders of the files of user and examples, and of the files that commands write.
 const kScenes = '/scenes';
 const kOutput = '/output';
 
 export class SceneError extends Error {
-  // `status`: what `zstrip` would have ended with. `messages`: lines it has printed besides.
+  // `status`: the exit status that `zstrip` would have. `messages`: the other lines that it would print.
   constructor(message, status, messages) {
     super(message);
     this.status = status;
@@ -20,7 +20,7 @@ export class Drawing {
   #output = [];
   #files = new Map();
 
-  // `create`: what zstrip.mjs exports; `options`: what else it is to take. What it makes is made again after a trap.
+  // `create`: the function that zstrip.mjs exports; `options`: options for it. After a trap it makes a new module.
   static async load(create, options = {}) {
     const drawing = new Drawing();
     drawing.#create = (own) => create({...options, ...own});
@@ -46,7 +46,7 @@ export class Drawing {
     FS.writeFile(`${kScenes}/${path}`, bytes);
   }
 
-  // Adds files, by their paths beside each other; one of the same path is replaced.
+  // Adds files by their relative paths. A file with the same path is replaced.
   addFiles(files) {
     for (const {path, bytes} of files) {
       const inside = path.split('/').filter((part) => part !== '' && part !== '.' && part !== '..').join('/');
@@ -82,7 +82,7 @@ export class Drawing {
     return this.#guarded((module) => this.#answer(module.ccall('zstrip_open', 'string', ['string'], [words])));
   }
 
-  // A frame of what is open: figures, and four bytes of each pixel.
+  // Draws a frame of the open scene: its figures, and four bytes for each pixel.
   async draw({look = 0, frame = 0, yaw = 0, pitch = 0, zoom = 0} = {}, shown = 0) {
     return this.#guarded((module) => {
       module._zstrip_reset_camera();

@@ -1,4 +1,4 @@
-// The tables beside the picture: memory by its purpose, work, and about how fast boards are.
+// The tables next to the picture: memory by purpose, work, and the estimated speed of boards.
 import {nameOfBoard} from './settings_form.mjs';
 
 const kPurposes = {
@@ -12,7 +12,7 @@ const kPurposes = {
   strip_pixels: 'pixels of the strips'
 };
 
-// Rows of a name, a number or text, and whether it stands out.
+// `rows`: a name, a number or text, and true if the row stands out.
 function fill(id, rows) {
   document.getElementById(id).tBodies[0].replaceChildren(...rows.map(([name, value, isMain]) => {
     const row = document.createElement('tr');
@@ -29,7 +29,7 @@ function fill(id, rows) {
 
 const inUnits = (difference) => difference.toPrecision(3);
 
-// Only of a frame that was compared with the truth.
+// Shows the accuracy of a frame that was compared with the truth; hides it for other frames.
 function showAccuracy(accuracy) {
   document.getElementById('accuracy').hidden = !accuracy;
   if (!accuracy) return;
@@ -49,7 +49,7 @@ function showAccuracy(accuracy) {
 
 const kilobytes = (bytes) => (bytes / 1024).toFixed(bytes < 10240 ? 1 : 0);
 
-// Shows below the picture what is asked first. Rates are "12" or "8 to 17", or say what a board lacks.
+// Shows the most important figures below the picture. A rate is "12" or "8 to 17", or says what a board lacks.
 function showHeadline(total, {strips, flash_bytes, rates}, board, isShown) {
   const rate = rates[board] ?? '', isRate = /^\d/.test(rate);
   const few = rate.replace(/[\d.]+/g, (digits) => String(Number(Number(digits).toPrecision(2))));
@@ -62,8 +62,8 @@ function showHeadline(total, {strips, flash_bytes, rates}, board, isShown) {
   ]) document.getElementById(`headline-${id}`).textContent = text;
 }
 
-// Shows the figures of a frame that worker.mjs has drawn. `board`: the chosen one, or nothing;
-// `isShown`: its speed is shown.
+// Shows the figures of a frame that worker.mjs has drawn. `board`: the chosen board, or nothing;
+// `isShown`: true if the picture is shown at its speed.
 export function showFigures(figures, board, isShown) {
   const purposes = Object.entries(figures.ram_bytes).filter(([name, bytes]) => name in kPurposes && bytes !== 0);
   const total = purposes.reduce((sum, [, bytes]) => sum + bytes, 0);

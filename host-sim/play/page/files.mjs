@@ -1,4 +1,4 @@
-// Files that are dropped or chosen: their paths beside each other, and which of them is the scene.
+// Files that were dropped or chosen: their relative paths, and the one that is the scene.
 
 // The first kind of these that is among several files is the scene.
 export const kScenes = ['.toml', '.glb', '.gltf', '.zsc', '.obj', '.ply', '.stl', '.3mf'];
@@ -21,7 +21,7 @@ async function filesOf(entry, path = '') {
 
 const read = (files) => Promise.all(files.map(async ({path, file}) => ({path, bytes: new Uint8Array(await file.arrayBuffer())})));
 
-// Both give [{path, bytes}].
+// Both functions return [{path, bytes}].
 export async function droppedFiles(transfer) {
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
   const plain = [...transfer.files].map((file) => ({path: file.name, file}));

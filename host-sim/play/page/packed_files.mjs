@@ -1,4 +1,4 @@
-// Files in a link: a line of JSON with their paths and lengths, their bytes behind it, compressed, in base64 for addresses.
+// Files in a link: a line of JSON with paths and lengths, then the bytes; compressed, and in base64 for addresses.
 
 export const kMaxPacked = 16384;  // characters
 

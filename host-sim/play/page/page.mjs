@@ -25,7 +25,7 @@ const kFirstPicture = 'first-picture';
 const element = (id) => document.getElementById(id);
 
 let settings, view, playing;
-let opened;   // what the worker says of the scene
+let opened;   // the answer of the worker about the scene
 let drawn;    // by the worker, and its figures
 let figures;
 let isOpen = false;
@@ -34,7 +34,7 @@ let isTyped = false;  // the text has just been edited: if it is wrong, the pict
 let programs = [];    // the boards whose program the page has
 let packed = {};      // files in the link
 
-// ---- what is said ----
+// ---- messages ----
 function say(text, messages = []) {
   element('status').ariaLive = playing ? 'off' : 'polite';  // not each frame
   element('status').textContent = inWordsOfPage(text);
@@ -48,7 +48,7 @@ function say(text, messages = []) {
   markError();
 }
 
-// Beside the setting or the line that it speaks of, too.
+// Shows the error, also next to the setting or the line that it is about.
 function fail(error) {
   say(error.message, (error.messages ?? []).filter((message) => message !== error.message));
   element('status').classList.add('failed');
@@ -58,11 +58,11 @@ function fail(error) {
 }
 
 // ---- drawing ----
-// One thing after the other; of what is asked for meanwhile only the last counts.
+// One request is served at a time; of the requests that come meanwhile only the last one counts.
 let busy = false;
 let wanted;
 async function update(what) {
-  if (what === 'draw' && !isOpen) return;  // what went wrong stays said
+  if (what === 'draw' && !isOpen) return;  // the message of the error stays
   wanted = wanted === 'open' ? 'open' : what;
   if (busy) return;
   busy = true;
@@ -154,7 +154,7 @@ async function draw() {
   tell();
 }
 
-// Nothing of the scene before stays under the name of the one that failed.
+// Clears the page, so that it does not show the last scene under the name of the one that failed.
 function clear() {
   isOpen = false;
   drawn = figures = undefined;
@@ -179,7 +179,7 @@ function tell() {
 }
 
 // ---- the link ----
-// Browsers refuse more than some changes of the address a second.
+// Browsers refuse frequent changes of the address, so it is changed after a delay.
 let linking = 0;
 function showLink() {
   linking ||= setTimeout(putLink, kLinkPause);
@@ -254,7 +254,7 @@ async function restore() {
   packOwn();
 }
 
-// All controls as settings, view and text are.
+// Sets all controls to the settings, the view and the text.
 function showControls() {
   const text = isText(settings.scene) ? textOf(settings.scene) : undefined;
   showChosen(settings.scene);
@@ -265,7 +265,7 @@ function showControls() {
   element('frame-number').value = view.frame;
 }
 
-// Background and light of a scene file are changed where they stand: in its text.
+// Background and light of a scene file are changed in its text.
 const kInText = {background: withBackground, light: withLight};
 
 function change(name, value) {
@@ -360,7 +360,7 @@ function listen() {
   window.addEventListener('hashchange', ({newURL}) => openLink(new URL(newURL).hash).catch(fail));
 }
 
-// In words of its own: those of the picture change with each frame.
+// Writes to an element for files, because the message about the picture changes with each frame.
 function sayOfFile(words, isWrong = false) {
   element('saved').textContent = inWordsOfPage(words);
   element('saved').classList.toggle('failed', isWrong);

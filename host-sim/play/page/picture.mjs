@@ -4,7 +4,7 @@ const marks = document.getElementById('marks');
 let arrival = 0;
 let arrived = true;
 
-// False while strips of the picture are still to come.
+// Returns false while strips of the picture have not arrived yet.
 export const hasArrived = () => arrived;
 
 function mark(strips, lit) {
@@ -18,7 +18,8 @@ function mark(strips, lit) {
   });
 }
 
-// Shows the picture of worker.mjs. `borders`: around each strip; `slow`: strips are shown when their times have come.
+// Shows the picture of worker.mjs. `borders`: draws them around each strip; `slow`: shows each strip when it would
+// arrive.
 export function showPicture({figures, pixels}, borders, slow) {
   cancelAnimationFrame(arrival);
   arrived = true;

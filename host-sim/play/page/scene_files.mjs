@@ -29,7 +29,7 @@ export async function fetchExample(scene) {
   example.fetched = true;
 }
 
-// Dropped files take the place of those that were dropped before.
+// Dropped files replace the files that were dropped before, unless `replaces` is false.
 export async function addOwn(added, replaces = true) {
   if (replaces) own = new Map();
   for (const {path, bytes} of added) own.set(path, bytes);

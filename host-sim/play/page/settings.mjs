@@ -1,7 +1,7 @@
 // The settings: options of the command, controls of the page, and parts of a link.
 
-// `kind`: choice, flag, text or colour; without a value no option is given. `tip`: what the setting does. `isBaked`:
-// `zstrip bake` has it, too. `isOfModels`: only of a model; a scene file says it in its text. `isRare`: shown on demand.
+// `kind`: choice, flag, text or colour; without a value the option is left out. `tip`: explains the setting. `isBaked`:
+// `zstrip bake` has it, too. `isOfModels`: for models only; a scene file has it in its text. `isRare`: shown on demand.
 export const kSettings = [
   {
     name: 'board', label: 'Board', option: '--board', kind: 'choice', choices: [''], none: 'none',
@@ -74,7 +74,7 @@ export const kSettings = [
   },
 ];
 
-// How it is looked at, which the scene need not be read again for: `look` as zstrip_look has it.
+// Ways to look at a scene, in the order of zstrip_look. To change it, the scene need not be read again.
 export const kLooks = ['colours', 'wireframe', 'depth', 'overdraw', 'accuracy'];
 export const kStartView = {look: 0, slow: 0, frame: 0, yaw: 0, pitch: 0, zoom: 0};
 const kStart = {scene: 'gallery/lighthouse.toml', ram: '22K', board: 'pico'};
@@ -118,7 +118,7 @@ export function bakeWordsOf(settings, name, pico = 'pico') {
 export const turnWordsOf = (settings, name, frames) =>
   ['render', settings.scene, '-o', name, ...optionsOf({...settings, board: '', frames: String(frames)})];
 
-// For a shell.
+// Returns the command line for a shell, with quotes where they are needed.
 export function commandLineOf(words) {
   return ['zstrip', ...words].map((word) => (/^[\w.,:=+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(' ');
 }
@@ -137,7 +137,7 @@ export function linkOf(settings, view, files) {
   return '#' + new URLSearchParams(pairs);
 }
 
-// Whatever a link has that is not known is left out; the command judges values. A link without a scene opens the first.
+// Unknown settings of a link are left out; the command checks the values. A link without a scene opens the first scene.
 export function settingsOf(link) {
   const given = new URLSearchParams(link.replace(/^#/, ''));
   const settings = given.get('scene') ? {scene: given.get('scene')} : {...kStart};

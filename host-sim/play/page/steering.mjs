@@ -1,4 +1,4 @@
-// Mouse, touch, wheel and keys over the picture: its camera goes around the scene.
+// Mouse, touch, wheel and keys over the picture move the camera around the scene.
 const kDegreesOfPixel = 0.4;
 const kDegreesOfKey = 5;
 const canvas = document.getElementById('canvas');

@@ -31,7 +31,7 @@ export function showChosen(scene) {
     const is = button.dataset.scene === scene;
     button.setAttribute('aria-pressed', String(is));
     if (!is) continue;
-    // Not scrollIntoView(), which scrolls the page, too.
+    // scrollIntoView() would scroll the page, too.
     strip.scrollTo({left: button.offsetLeft - (strip.clientWidth - button.offsetWidth) / 2, behavior: 'smooth'});
   }
 }

@@ -1,4 +1,4 @@
-// Draws beside the page, which stays quick meanwhile. Calls come as {id, name, values} and are answered in their order.
+// Draws in the background, so that the page stays responsive. Calls are {id, name, values}, and are answered in order.
 import {Drawing} from './drawing.mjs';
 
 let drawing;

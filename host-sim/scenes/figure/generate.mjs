@@ -64,7 +64,7 @@ function tube(rings, across) {
   }
 }
 
-// Along a chain of joints: at `t` of its length, half of each joint on either side of where they meet.
+// Weights along a chain of joints, at `t` of its length: where two joints meet, each has half.
 function weightsAt(chain, ends, t, soft) {
   for (let i = 0; i + 1 < chain.length; ++i) {
     const from = (t - ends[i]) / soft;
@@ -76,7 +76,7 @@ function weightsAt(chain, ends, t, soft) {
   return [[chain[chain.length - 1], 1]];
 }
 
-// Torso: by height.
+// The torso has its weights by height.
 {
   const chain = ['hips', 'spine', 'chest', 'neck'].map(index), ends = [1.08, 1.24, 1.5];
   const shape = [
@@ -87,7 +87,7 @@ function weightsAt(chain, ends, t, soft) {
   tube(shape.map(([y, a, b]) => [[0, y, 0], a, b, y < 1.02 ? 'trousers' : y < 1.5 ? 'shirt' : 'skin',
                                   weightsAt(chain, ends, y, 0.07)]), [1, 0, 0]);
 }
-// Head: an egg with hair.
+// The head is an egg with hair.
 {
   const rings = [];
   for (let i = 1; i < 10; ++i) {
@@ -96,7 +96,7 @@ function weightsAt(chain, ends, t, soft) {
   }
   tube(rings, [1, 0, 0]);
 }
-// Limbs: between the places of their joints, and beyond the last.
+// A limb goes through the places of its joints, and beyond the last one.
 function limb(names, beyond, shape, across, soft) {
   const chain = names.map(index);
   const points = [...chain.map((i) => joints[i][2]), beyond];
@@ -136,7 +136,7 @@ for (const [a, b, c] of triangles) {
   for (const i of [a, b, c]) vertices[i].normal = add(vertices[i].normal, normal);
 }
 
-// Clips: angles in degrees about x, y and z by joint, at a time of 0..1; and how far the hips rise.
+// A clip has the angles of each joint in degrees about x, y and z, at a time of 0..1, and the height of the hips.
 const wave = (t, shift = 0) => Math.sin(2 * Math.PI * (t + shift));
 const clips = {
   walk: {

@@ -1,4 +1,5 @@
-// Makes a small animation of a folder of pictures: a PNG of 255 colours or fewer, of which each frame has what changed.
+// Makes a small animation of a folder of pictures: a PNG of at most 255 colours. Each frame has only the changed
+// pixels.
 // Run: zstrip render chess.toml -o frames --frames 36 --image ppm && node animate.mjs frames 8000 chess.png 48
 import fs from 'node:fs';
 import zlib from 'node:zlib';
@@ -14,8 +15,8 @@ const frames = fs.readdirSync(folder)
                    .map((name) => readPicture(`${folder}/${name}`));
 const {width, height} = frames[0];
 
-// All colours and how many pixels have them; boxes of them are halved where most would be lost; then means move to what
-// is nearest to them.
+// Counts the pixels of each colour. Boxes of colours are halved where the error is largest; then each mean moves to the
+// mean of its nearest colours.
 const counts = new Map();
 const colourAt = ({pixels}, i) => pixels[3 * i] << 16 | pixels[3 * i + 1] << 8 | pixels[3 * i + 2];
 for (const frame of frames) {

@@ -9,7 +9,7 @@ const kSides = 7;  // of a limb
 
 // The figure looks along +z; its own left is +x.
 function limb(path, radii, colours, across) {
-  // One colour a piece; a closed end.
+  // Each piece has one colour; the end is closed.
   const faces = tube(path, radii, kSides, kSuit, across);
   return faces.map((f, i) => ({...f, colours: f.colours.map(() => rgb(colours[Math.floor(i / (2 * kSides))]))}));
 }
@@ -33,7 +33,7 @@ const leg = (x, bend) => limb(
     [0.24, 0.23, 0.21, 0.19, 0.2, 0.22, 0], [kSuit, kSuit, kSuit, kOrange, kGrey, kGrey], [1, 0, 0]);
 const torso =
     lathe([[0.36, 0.92], [0.44, 0.76], [0.42, 0.4], [0.4, 0.2], [0.3, 0.02], [0, -0.02]], 12, kSuit, {squash: 0.78});
-// Bands around the torso: their borders are edges, where an intersection would not be smooth.
+// Bands around the torso have edges at their borders, which can be smoothed; an intersection could not.
 const belt = lathe([[0.44, 0.29], [0.44, 0.18]], 12, kOrange, {squash: 0.8});
 const collar = lathe([[0.44, 0.9], [0.44, 0.83]], 12, kGrey, {squash: 0.92});
 const pack = [
@@ -47,7 +47,7 @@ const chest = [
       ([x, colour]) => placed(front([0.06, 0.06, 0.04], colour), {at: [x, 0.63, 0.42]})),
   ...placed(front([0.24, 0.05, 0.03], kDark), {at: [0, 0.53, 0.42]})
 ];
-// Helmet: a ball with a hole; the visor bulges out of it.
+// The helmet is a ball with a hole, out of which the visor bulges.
 const kHead = [0, 1.36, 0.02], kHelmet = 0.6;
 const helmet =
     ball(kHelmet, 9, 14, kSuit)
@@ -68,7 +68,7 @@ const head = placed([...helmet, ...rim, ...ears], {at: kHead});
 const body = [
   ...torso, ...belt, ...collar, ...pack, ...chest, ...arm(1), ...arm(-1), ...leg(1, 0.16), ...leg(-1, 0.02), ...head
 ];
-// Its border lies on the rim.
+// The visor's border lies on the rim.
 const visor =
     placed(grid(8, 6, (u, v) => {
              const [x, y] = [2 * u - 1, 2 * v - 1];
@@ -97,7 +97,7 @@ writePicture('astronaut/visor.png', 32, 32, (u, v) => {
   return mix(colour, '#0c0804', Math.max(0, Math.min(1, (r - 0.86) * 5)) * 0.75);
 });
 
-// The planet: seas, land and clouds that repeat after half a turn.
+// The planet has seas, land and clouds that repeat after 180 degrees.
 const noise = (u, v, n) => {
   const lattice = (i, j) => random(((i % n) + n) % n + 57 * j + 1000 * n), [x, y] = [u * n, v * n];
   const [i, j] = [Math.floor(x), Math.floor(y)], smooth = (t) => t * t * (3 - 2 * t),
@@ -122,7 +122,7 @@ writePicture('astronaut/air.png', 16, 16, (u, v) => {
   return [110, 190, 255, 200 * Math.max(0, Math.min(1, (0.9 - d) * 3)) ** 1.6];
 }, {alpha: true});
 
-// Stars: small triangles on a wall behind everything.
+// The stars are small triangles on a wall behind everything.
 writeModel('astronaut/stars.glb', {
   stars: welded(
       Array

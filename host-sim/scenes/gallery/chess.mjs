@@ -7,7 +7,7 @@ import {box, extruded, lathe, mix, placed, polygon, random} from './shapes.mjs';
 
 const kSides = 8;
 
-// Profiles from the top down: [radius, y]; two points in one place are a sharp edge.
+// A profile goes from the top down: [radius, y]. Two points at one place make a sharp edge.
 const foot = (r) => [[r * 0.62, 0.3], [r * 0.8, 0.24], [r * 0.74, 0.2], [r, 0.14], [r, 0]];
 const profiles = {
   pawn: [[0, 1.02], [0.12, 0.98], [0.19, 0.86], [0.16, 0.74], [0.1, 0.68], [0.21, 0.64], [0.11, 0.58], ...foot(0.3)],
@@ -27,7 +27,7 @@ const profiles = {
 };
 
 function knight() {
-  // From the side: [z, y]; the nose looks along +z.
+  // The outline from the side: [z, y]; the nose looks along +z.
   const parts = [
     [[-0.2, 0.28], [0.2, 0.28], [0.14, 0.62], [-0.24, 0.78]],
     [[-0.24, 0.78], [0.14, 0.62], [0.13, 0.84], [-0.02, 1.24], [-0.16, 1.12]],
@@ -35,7 +35,7 @@ function knight() {
   ];
   const head = parts.flatMap((outline) => placed(extruded(outline, 0.26, '#ffffff'), {at: [0, 0, -0.13]}))
                    .filter(({points: [p, q, r]}) => {
-                     // Where two parts meet there is no face.
+                     // Leaves out the faces where two parts meet.
                      const shared = [[[-0.24, 0.78], [0.14, 0.62]], [[0.13, 0.84], [-0.02, 1.24]]];
                      return !shared.some(
                          (ends) => [p, q, r].every(([x, y]) => ends.some(([a, b]) => Math.hypot(x - a, y - b) < 1e-6)));

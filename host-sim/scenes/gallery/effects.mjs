@@ -1,4 +1,4 @@
-// Makes the animated pictures of docs/gallery.md, one an effect, of what the command renders.
+// Makes the animated pictures of docs/gallery.md, one for each effect, from pictures that the command renders.
 // Run: node effects.mjs ZSTRIP FOLDER [NAME...], with the command and docs/images; all if no names are given.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
@@ -8,9 +8,9 @@ import path from 'node:path';
 const kScenes = path.resolve(import.meta.dirname, '..');
 const kAnimate = path.join(import.meta.dirname, 'animate.mjs');
 
-// `turn`: so many frames of a turn; `swing`: five degrees a frame, so many to both sides and back; `frames`: of the
-// scene's own motion; `orbit`: the camera turns instead. `beside`: options of pictures side by side. `times`: pixels
-// are so many times as large.
+// `turn`: number of frames of a full rotation; `swing`: number of frames to each side and back, five degrees each;
+// `frames`: number of frames of the scene's own motion; `orbit`: the camera rotates instead. `beside`: options of
+// pictures side by side. `times`: enlargement of the pixels.
 const kEffects = {
   shading: {scene: 'shading.toml', swing: 3, size: '360x136'},
   perspective: {scene: 'perspective.toml', swing: 3, size: '178x136', beside: [[], ['--perspective', '16']]},
@@ -67,7 +67,7 @@ function read(file) {
   return {width: Number(width), height: Number(height), pixels: bytes.subarray(head.length), grey: bytes[1] === 53};
 }
 
-// Pictures of one height beside each other, enlarged, with a white line between them.
+// Puts pictures of one height side by side, enlarged, with a white line between them.
 function joined(pictures, times) {
   const height = pictures[0].height * times;
   const width = pictures.reduce((sum, p) => sum + p.width * times, 0) + 4 * (pictures.length - 1);

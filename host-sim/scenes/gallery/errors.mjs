@@ -27,7 +27,7 @@ function frames(scene, size, options) {
   ]);
   return fs.readdirSync(output).sort().map((name) => readPicture(path.join(output, name)).pixels);
 }
-// Means of squares of kTimes pixels a side.
+// Returns the means of squares with kTimes pixels a side.
 function smaller(pixels) {
   const means = new Float64Array(kSize * kSize * 3);
   for (let y = 0; y < kSize * kTimes; ++y) {

@@ -149,7 +149,7 @@ const rotor = placed(
     ],
     kFacing);
 
-// Window, curtains, pictures: all that hangs at the walls.
+// The window, the curtains and the pictures hang at the walls.
 const kWindow = {
   left: -0.72,
   right: 0.72,
@@ -228,7 +228,7 @@ const inRoom = {
 const atTexel = lit({...inRoom, rays: 24}), atVertex = lit({...inRoom, rays: 96});
 // Things that hang at a wall do not shade it: they hide too few of its vertices.
 const onWall = lit({...inRoom, rays: 96, blocked: tracer([...standingThings, ...shell])});
-// The eye stays where it is, but for some degrees by hand: what no such eye sees is left out.
+// The eye moves by some degrees only, when the user drags. Triangles that no such eye sees are left out.
 const kEyes =
     [37, 45, 53]
         .flatMap((phi) => [55, 60, 65].map((theta) => [phi, theta].map((a) => a * Math.PI / 180)))
@@ -251,7 +251,7 @@ const shone = (mesh, light = atVertex) => {
   return mesh;
 };
 
-// Floor and walls: texels. The floor has planks and a round rug.
+// Floor and walls have textures. The floor has planks and a round rug.
 const floorColour = (x, z) => {
   const r = Math.hypot(x - kRug[0], z - kRug[2]);
   if (r < 1.36)
@@ -290,7 +290,7 @@ writeModel(
     },
     {texcoords: true});
 
-// Light changes nothing that shines or lies outside of the room.
+// Things that shine, or that lie outside of the room, get no light.
 const kEdge = '#d8cfc4', out = -kHalf - kThick;
 const night = (x0, x1) => grid(
     1, 3,
@@ -341,7 +341,7 @@ const robot = at(
     kWay, 0, 0);
 writeModel('home/robot.glb', {robot: welded(robot, 40)});
 
-// Figures, of strokes: each digit is 0.6 wide and 1 high.
+// Digits are made of strokes; each is 0.6 wide and 1 high.
 const arc = (x, y, r, from, to, tall = r) => Array.from({length: 17}, (_, i) => {
   const a = (from + (to - from) * i / 16) * Math.PI / 180;
   return [x + r * Math.cos(a), y - tall * Math.sin(a)];

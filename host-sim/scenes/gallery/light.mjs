@@ -1,4 +1,4 @@
-// Light that is baked into colours and texels: how much of it arrives at a point between shapes, by tracing rays.
+// Light that is baked into colours and texels: rays are traced to find how much of it arrives at a point.
 import {cross, dot, minus, random, times, unit} from './shapes.mjs';
 
 const toLinear = (c) => (c <= 10.31 ? c / 3294.6 : ((c / 255 + 0.055) / 1.055) ** 2.4);

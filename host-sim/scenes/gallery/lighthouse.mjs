@@ -98,7 +98,7 @@ writeModel('lighthouse/shining.glb', {
   ])
 });
 
-// Two beams, of two crossed sheets each; alpha fades along and to the sides.
+// There are two beams of two crossed sheets each. Their alpha fades along the beam and to its sides.
 const sheet = (turn) => placed(
     polygon(
         [[0.1, -0.08, 0], [4.6, -0.75, 0], [4.6, 0.75, 0], [0.1, 0.08, 0]], '#ffffff',
@@ -124,7 +124,7 @@ const height = (x, z) => {
   const wave = (a, b, shift) => Math.sin(2 * Math.PI * (a * x / kPeriod + b * z / 5 + shift));
   return Math.min(1, Math.max(0, (z + 9) / 10)) * (0.06 * wave(1, 0.9, 0) + 0.05 * wave(-1, 1.4, 0.3));
 };
-// Light and reflections of the sky are in the colours, because waves only move along.
+// The colours contain light and reflections of the sky, because waves move without changing their shape.
 const sea = grid(columns, rows.length - 1, (u, v, i, j) => {
   const x = (i - columns / 2) * 1.5, z = rows[j], y = height(x, z),
         slope = (height(x + 0.2, z) - height(x - 0.2, z)) / 0.4;

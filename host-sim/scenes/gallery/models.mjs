@@ -1,4 +1,4 @@
-// From shapes to model files: normals, the light that corners lose to what stands around them, binary glTF.
+// Writes shapes as model files: computes normals, darkens corners that other shapes shade, and writes binary glTF.
 import fs from 'node:fs';
 
 import {add, cross, dot, minus, random, times, unit} from './shapes.mjs';
@@ -6,7 +6,8 @@ import {add, cross, dot, minus, random, times, unit} from './shapes.mjs';
 const key = (values) => values.map((v) => Math.round(v * 1e4)).join();
 const normalOf = ({points: [p, q, r]}) => cross(minus(q, p), minus(r, p));
 
-// Vertices with normals: faces that meet at less than `crease` degrees are smooth. Faces of covered() stand apart.
+// Makes vertices with normals: faces that meet at less than `crease` degrees are smooth. Faces of covered() are kept
+// separate.
 export function welded(faces, crease = 40) {
   const limit = Math.cos(crease * Math.PI / 180), around = new Map();
   const flat = faces.map((f) => ({...f, normal: normalOf(f)}));
@@ -45,8 +46,8 @@ function hit(from, along, triangle, reach) {
   return t > 1e-3 * reach && t < reach;
 }
 
-// Darkens vertices by the share of the sky, within `reach`, that faces of `others` and of the mesh itself hide; `dark`
-// is what the deepest corner keeps of its colour.
+// Darkens vertices by the share of the sky that faces of `others` and of the mesh itself hide, within `reach`. The
+// deepest corner keeps the share `dark` of its colour.
 export function occluded(mesh, {others = [], reach = 1, rays = 48, dark = [0.3, 0.3, 0.4]} = {}) {
   const blockers = [
     ...mesh.triangles.map((t) => t.map((i) => mesh.vertices[i].position)),

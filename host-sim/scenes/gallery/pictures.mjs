@@ -1,4 +1,4 @@
-// Textures: pictures that a function paints, written as PNG.
+// Writes textures as PNG: pictures that a function paints.
 import fs from 'node:fs';
 import zlib from 'node:zlib';
 
@@ -19,8 +19,8 @@ export function chunk(type, content) {
   return bytes;
 }
 
-// paint(u, v): [red, green, blue] or with alpha, 0 to 255; u to the right and v down, 0 to 1, in the middle of parts of
-// texels, of which there are `samples` a side.
+// paint(u, v) returns [red, green, blue], or these and alpha, 0 to 255. u goes to the right and v down, 0 to 1. Each
+// texel is the mean of `samples` times `samples` calls.
 export function writePicture(file, width, height, paint, {alpha = false, samples = 4} = {}) {
   const channels = alpha ? 4 : 3, rows = Buffer.alloc(height * (1 + width * channels));
   for (let y = 0; y < height; ++y) {

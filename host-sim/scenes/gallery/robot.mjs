@@ -4,7 +4,7 @@ import {ball, box, covered, lathe, mix, placed, polygon, tube} from './shapes.mj
 
 const kBody = '#f0a828', kLight = '#f8dc98', kDark = '#39404e', kSteel = '#98a4b4', kRed = '#e0503c';
 
-// Each part stands around the joint by which it moves; the robot looks along +z, its own left is +x.
+// The origin of each part is the joint about which it rotates. The robot looks along +z, its own left is +x.
 const face =
     polygon([[-0.42, -0.24, 0.465], [0.42, -0.24, 0.465], [0.42, 0.26, 0.465], [-0.42, 0.26, 0.465]], '#202838');
 const eye = (x) => placed(

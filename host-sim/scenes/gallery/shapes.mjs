@@ -24,7 +24,7 @@ const face = (points, colour, texcoords = [[0, 0], [0, 0], [0, 0]]) => ({
   colours: points.map((p) => rgb(typeof colour === 'function' ? colour(p) : colour)),
 });
 
-// Flat and convex; corners counter-clockwise.
+// A flat, convex polygon; its corners are counter-clockwise.
 export function polygon(points, colour, texcoords) {
   return points.slice(2).map(
       (p, i) =>
@@ -35,8 +35,8 @@ export function polygon(points, colour, texcoords) {
 export const card = (half, colour = '#ffffff') => polygon(
     [[-half, -half, 0], [half, -half, 0], [half, half, 0], [-half, half, 0]], colour, [[0, 1], [1, 1], [1, 0], [0, 0]]);
 
-// Rows and columns of points: at(i, j) is a point, its colour and its texture coordinates. Seen from where i goes to
-// the right and j upwards.
+// A grid of points: at(i, j) returns a point, its colour and its texture coordinates. Its front is the side from which
+// i goes to the right and j upwards.
 export function grid(columns, rows, at) {
   const faces = [];
   const node = (i, j) =>
@@ -78,11 +78,11 @@ export function ball(radius, rings, sides, colour) {
   }), sides, colour);
 }
 
-// Upright, from y = 0.
+// An upright cylinder that begins at y = 0.
 export const cylinder = (radius, height, sides, colour, top = radius) =>
     lathe([[0, height], [top, height], [radius, 0], [0, 0]], sides, colour);
 
-// Around the origin; edges are cut by `bevel`.
+// A box around the origin; its edges are cut off by `bevel`.
 export function box([x, y, z], colour, bevel = 0) {
   const half = [x / 2, y / 2, z / 2], inner = half.map((v) => v - bevel);
   const faces = [];
@@ -175,6 +175,6 @@ export const textured = (faces, texcoord) =>
     faces.map((f) => ({...f, texcoords: f.points.map((p, i) => texcoord(p, f.texcoords[i]))}));
 export const scaled = (faces, scale) => placed(faces, {scale});
 
-// Marks the faces that have all corners `where`: they are in or on something else. Models leave them out; light and
-// normals are those of the whole shape.
+// Marks the faces of which all corners satisfy `where`, because something else covers them. Models leave them out,
+// after light and normals were computed for the whole shape.
 export const covered = (faces, where) => faces.map((f) => (f.points.every(where) ? {...f, covered: true} : f));

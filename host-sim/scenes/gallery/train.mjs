@@ -6,11 +6,11 @@ import {writePicture} from './pictures.mjs';
 import {ball, box, card, covered, extruded, grid, lathe, mix, placed, polygon, random} from './shapes.mjs';
 
 const kTrack = 2.3;  // radius of the track's middle
-// Puts what looks along +z onto the track, `degrees` from +z towards +x, the way that the train goes.
+// Puts faces that look along +z onto the track, `degrees` from +z towards +x, in the direction of the train.
 const onTrack = (faces, degrees, y = 0) =>
     placed(placed(faces, {turn: [0, 90, 0], at: [0, y, kTrack]}), {turn: [0, degrees, 0]});
 
-// Without the lower side, which stands on something.
+// A block without its lower side, which stands on something.
 const block = (size, colour, place) => placed(box(size, colour), place).filter((f) => {
   const [low, high] = [Math.min, Math.max].map((m) => m(...f.points.map((p) => p[1])));
   return high - low > 1e-6 || high > place.at[1];
@@ -57,7 +57,7 @@ const arch = (w, h) => [
     [-w, 0]];
 const portal = (out) => {
   const mouth = polygon(arch(0.3, 0.72).map(([x, y]) => [x, y, 0.002]), '#15120f');
-  // Without the sides that stand in the hill and on the ground.
+  // Leaves out the sides that lie in the hill and on the ground.
   const stone = extruded(arch(0.42, 0.86), 0.3, '#a89c90').filter((f) => f.points.some(([, , z]) => z > 0));
   return placed(
       [...placed(covered(stone, ([, y]) => y === 0), {at: [0, 0, -0.3]}), ...mouth], {turn: [0, out ? 0 : 180, 0]});

@@ -7,7 +7,7 @@ import {box, cross, grid, lathe, minus, mix, placed, polygon, unit} from './shap
 const facing = (faces) => placed(faces, {turn: [90, 0, 0]});
 const kSides = 40;
 
-// Case, lugs, crown: all that is steel.
+// Case, lugs and crown are steel.
 const ring = facing(lathe([[1.0, 0.1], [1.02, 0.2], [1.09, 0.25], [1.2, 0.2], [1.29, 0.06], [1.31, -0.08]], kSides));
 const lug = (x, y) =>
     placed(box([0.22, 0.46, 0.26], '#ffffff', 0.07), {at: [0.64 * x, 1.24 * y, -0.12], turn: [8 * y, 0, 0]});
@@ -58,7 +58,7 @@ const dial = welded(
     ],
     20);
 
-// Hands: two slopes each, of one colour and a darker one.
+// Each hand has two slopes, of one colour and of a darker one.
 const hand = (outline, z, ridge, light, dark) => [1, -1].flatMap((s) => {
   const points = outline.map(([x, y]) => [s * x, y, z]), middle = outline.map(([, y]) => [0, y, z + ridge]);
   return points.slice(1).flatMap(
