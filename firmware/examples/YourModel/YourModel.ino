@@ -8,7 +8,7 @@
 
 #include "scene.hpp"
 
-// The panel's pins besides SPI's clock and data. A module without a select pin: kSelect -1, and .mode = SPI_MODE3 below.
+// The panel's pins in addition to SPI clock and data. Without a select pin: kSelect = -1, and .mode = SPI_MODE3 below.
 constexpr int kDataCommand = 8, kReset = 9, kSelect = 10;
 constexpr std::uint32_t kHertz = 15'000'000;  // the data sheet's limit; modules are commonly run at 40'000'000
 
