@@ -1,4 +1,4 @@
-// LDR-FLIP: the difference that a viewer sees who flips between two pictures in one place (Andersson, Nilsson,
+// LDR-FLIP: the difference that is seen when one flips between two pictures in one place (Andersson, Nilsson,
 // Akenine-Moeller, Oskarsson, Astrom, Fairchild: "FLIP: A Difference Evaluator for Alternating Images", HPG 2020).
 #pragma once
 

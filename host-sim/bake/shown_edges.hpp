@@ -13,7 +13,7 @@
 namespace zstrip::sim {
 
 /// A scene without the edges that no frame of its motion shows: in each, both faces are turned away, or both are seen
-/// and the edge is no crease. An edge stays if a rounded corner may decide; edges of billboards all stay. The other
+/// and the edge is not a crease. An edge stays if a rounded corner may decide; edges of billboards all stay. The other
 /// arrays are those of the scene.
 class ShownEdges {
  public:

@@ -139,7 +139,7 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
         if (sides[t] != 0) arguments.camera.reduction.texture_size = std::to_string(sides[t]);
         arguments.textures = palettes[p];
         std::optional<FitChoice> choice;
-        // The memory is no limit of the first, which is what the others are compared with.
+        // The memory does not limit the first choice, because the others are compared with it.
         const bool is_whole = found.tried == 0;
         const BakeTrial trial{&stage, [&](const BakedScene& baked, const BakeRecord& record) -> Result<Done> {
                                 Result<FitChoice> one = measured(arguments, board, baked, record);

@@ -53,7 +53,7 @@ struct PrintPart {
   std::map<std::uint32_t, PrintGroup> groups;
   std::map<std::uint32_t, std::string> textures;  ///< paths in the package
   std::vector<PrintUse> built;
-  bool is_painted = false;  ///< a slicer's colours, which are no part of 3MF
+  bool is_painted = false;  ///< a slicer's colours, which do not belong to 3MF
 };
 
 /// Reads the text of a .model file. The failure's message is a reason.

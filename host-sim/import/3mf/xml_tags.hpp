@@ -20,7 +20,7 @@ struct XmlTag {
   bool has(std::string_view key) const;
 };
 
-/// Text between tags, comments, instructions and declarations are skipped. What is no XML ends the text.
+/// Text between tags, comments, instructions and declarations are skipped. Anything that is not XML ends the text.
 class XmlTags {
  public:
   explicit XmlTags(std::string_view text) : rest_(text) {}

@@ -25,7 +25,7 @@ class MaterialReader {
 
  private:
   SourceMaterial read(const aiMaterial& from, unsigned& texcoord_set);
-  /// Sets metal and roughness; without them the material is no metal.
+  /// Sets metal and roughness; without them the material is not a metal.
   void read_metal(const aiMaterial& from, SourceMaterial& to) const;
   std::uint32_t read_texture(const std::string& name);
 

@@ -79,7 +79,8 @@ std::string with_joined_lines(std::string_view text) {
   return joined;
 }
 
-/// Appends the names of files after `mtllib`, each on a line of its own. A name that is no file may be several.
+/// Appends the names of files after `mtllib`, each on a line of its own. A name that is not a file may be several
+/// names.
 void append_libraries(std::string& to, std::string_view names, const std::function<bool(std::string_view)>& is_file) {
   std::vector<std::string_view> words;
   std::string_view rest = names;

@@ -94,7 +94,7 @@ unsigned most_corners(const aiScene& scene) {
   return most;
 }
 
-/// Throws the exception again if memory was missing, which is no fault of the file.
+/// Throws the exception again if memory was missing, because then the file is not at fault.
 void rethrow_lack_of_memory(const std::exception_ptr& caught) {
   if (!caught) return;
   try {

@@ -40,7 +40,7 @@ std::array<double, count> numbers_in(const GltfJson& json, const char* key, std:
   return otherwise;
 }
 
-/// Limits a factor of a material to 0..1; one that is no number is 1.
+/// Limits a factor of a material to 0..1; a value that is not a number gives 1.
 double share(double value);
 
 }  // namespace zstrip::sim

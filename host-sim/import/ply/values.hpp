@@ -9,7 +9,7 @@
 
 namespace zstrip::sim {
 
-/// Returns the next number of a file; empty if the file has ended. A word that is no number is not a number (NaN).
+/// Returns the next number of a file; empty if the file has ended. A word that is not a number gives NaN.
 class PlyValues {
  public:
   PlyValues(std::string_view data, PlyFormat format) : rest_(data), format_(format) {}

@@ -44,7 +44,7 @@ class Facets {
     for (auto& row : linear_.m) row[3] = 0;
   }
 
-  /// A normal without length, or that is no number, is none.
+  /// A normal without length, or with NaN, counts as missing.
   void add(const Vector& normal, const std::array<Vector, 3>& corners, const std::optional<Rgb>& colour) {
     const Vector turned = linear_ * normal;
     const double length = std::hypot(turned[0], turned[1], turned[2]);
