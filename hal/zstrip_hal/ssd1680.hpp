@@ -144,7 +144,7 @@ class Ssd1680 {
            config_.height >= 1 && config_.height <= kRows;
   }
 
-  /// What the glass shows is unknown: all rows differ, and a partial refresh would be wrong.
+  /// The picture on the glass is unknown: all rows count as different, and a partial refresh would be wrong.
   void forget_glass() {
     refreshed_ = kUnknown;
     first_ = 0;

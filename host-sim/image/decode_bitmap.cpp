@@ -61,7 +61,7 @@ Result<RgbImage> decode_bitmap_or_targa(std::span<const std::uint8_t> file, cons
   if (file.size() < least_bytes(file, columns, rows)) return damaged_picture(kind, "it is cut off");
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
       stbi_load_from_memory(file.data(), size, &width, &height, &channels, 4), &stbi_image_free);
-  if (!pixels) return damaged_picture(kind, "it is damaged, or of a kind that is seldom");
+  if (!pixels) return damaged_picture(kind, "it is damaged, or of a rare kind that is not read");
   return split_alpha(columns, rows, {pixels.get(), std::size_t{4} * columns * rows});
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# words.sh ROOT: comments, documents and names in the terms of the field. Words for persons where code, pixels or buses
-# are meant; other names for what begins with kMax or kMin; lines of prose that reach column 120.
+# words.sh ROOT: comments, documents and names use the terms of the field. It refuses words for persons where code, pixels
+# or buses are meant; limits whose names do not begin with kMax or kMin; comments that begin with a word that leaves out
+# the subject; rare words for common ones; lines of prose that reach column 120.
 set -euo pipefail
 cd "$1"
 failed=0
@@ -21,6 +22,13 @@ if [ -n "$found" ]; then complain "not a term of the field" "$found"; fi
 
 found=$(grep -rnIE '\bk(Most|Largest|Least)([A-Z]\w*)?\b' "${places[@]}" | grep -v '^docs/design.md:[0-9]*:| ' || true)
 if [ -n "$found" ]; then complain "limits begin with kMax or kMin" "$found"; fi
+
+found=$(grep -rnIE --include='*.cpp' --include='*.hpp' --include='*.h' --include='*.ino' --include='*.mjs' --include='*.js' \
+  '(^|[ ;,{})])(///?<?|/\*\*) *(Of|What|Whether|Those|Likewise)\b' core hal firmware host-sim || true)
+if [ -n "$found" ]; then complain "a comment without a subject: say what the thing is or does" "$found"; fi
+
+found=$(grep -rnIiwE 'seldom|quicker|quickest|dearer' "${places[@]}" || true)
+if [ -n "$found" ]; then complain "rare, faster, fastest, more expensive" "$found"; fi
 
 # Rows of tables, code and images stand on one line. Measured pages are written by programs.
 found=$(find . \( -path ./.git -o -path './build*' -o -path ./out -o -path ./docs/measured -o -name CHANGELOG.md \) -prune -o \
