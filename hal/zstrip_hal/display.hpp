@@ -54,7 +54,8 @@ constexpr bool contains(std::uint16_t width, std::uint16_t height, const Area& a
 /// A display that was started. Between begin_frame and end_frame, write() sends rectangles:
 ///   - write() takes the first bytes_per_row(area.width) * area.height bytes of `pixels`. It may return while they are
 ///     still being sent: they must stay alive and unchanged until wait() returns. At most one write is under way; the
-///     caller waits before the next.
+///     caller waits before the next. Most displays take std::span<const std::byte>; one that takes std::span<std::byte>
+///     may change the pixels.
 ///   - wait() returns when nothing is under way, with the error of that write. Called when idle, it returns at once.
 ///   - end_frame() makes the frame complete; nothing may be under way.
 /// Pixels that were not written keep their value: a frame may write only the rectangles in which the picture differs
@@ -64,7 +65,7 @@ constexpr bool contains(std::uint16_t width, std::uint16_t height, const Area& a
 /// every rectangle that it writes is shown correctly. end_frame() is called after an error too. Use a display from one
 /// thread, core, or interrupt level, at a time. The display refers to its bus, which must outlive it.
 template <class T>
-concept Display = requires(T& display, const T& view, const Area& area, std::span<const std::byte> pixels) {
+concept Display = requires(T& display, const T& view, const Area& area, std::span<std::byte> pixels) {
   { view.width() } -> std::same_as<std::uint16_t>;
   { view.height() } -> std::same_as<std::uint16_t>;
   { view.format() } -> std::same_as<PixelFormat>;

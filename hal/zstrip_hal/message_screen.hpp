@@ -66,7 +66,7 @@ Error write_cells(Panel& panel, std::string_view text) {
   std::size_t next = 0;
   for (std::uint16_t line = 0; line < lines; ++line) {
     for (std::uint16_t column = 0; column < columns; ++column, ++next) {
-      const auto pixels = cell(next < text.size() ? text[next] : ' ', panel.format());
+      auto pixels = cell(next < text.size() ? text[next] : ' ', panel.format());
       const Area area{static_cast<std::uint16_t>(column * kCellWidth), static_cast<std::uint16_t>(line * kCellHeight),
                       kCellWidth, kCellHeight};
       const std::size_t bytes = bytes_per_row(area.width, panel.format()) * std::size_t{area.height};

@@ -72,7 +72,7 @@ class SharedStrips {
   void open(Panel& display, const StripAreas& areas, std::uint16_t count, const TwoCoreBuffers& buffers) {
     areas_ = areas, count_ = count, buffers_ = buffers, format_ = display.format();
     display_ = &display;
-    send_ = [](void* to, const Area& area, std::span<const std::byte> pixels) {
+    send_ = [](void* to, const Area& area, std::span<std::byte> pixels) {
       Panel& panel = *static_cast<Panel*>(to);
       const Error before = panel.wait();
       return before != Error::none || pixels.empty() ? before : panel.write(area, pixels);
@@ -160,7 +160,7 @@ class SharedStrips {
 
   TwoCoreLock lock_;
   void* display_ = nullptr;
-  Error (*send_)(void* display, const Area& area, std::span<const std::byte> pixels) = nullptr;
+  Error (*send_)(void* display, const Area& area, std::span<std::byte> pixels) = nullptr;
   StripAreas areas_{{}, 0, 0};
   TwoCoreBuffers buffers_{};
   PixelFormat format_ = PixelFormat::rgb565;
