@@ -1,5 +1,5 @@
 // Shows the baked scene that lies in the flash after the program (flash_map.hpp), on the panel of show_teapot.cpp. Any
-// bytes are safe: the scene is checked first.
+// bytes are safe: the scene is checked first. Only tiles that changed are sent.
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -12,6 +12,7 @@
 #include "pico/timer.hpp"
 #include "portable/panel_program.hpp"
 #include "zstrip/scene/blob_sections.hpp"
+#include "zstrip_hal/changed_tiles.hpp"
 #include "zstrip_hal/st7789.hpp"
 #include "zstrip_player/player.hpp"
 
@@ -27,6 +28,10 @@ constexpr const pico::Board& kBoard = chip::hot_board();
 #else
 constexpr const pico::Board& kBoard = chip::board();
 #endif
+
+// Strips of another height may have more tiles, which are always sent.
+constexpr std::uint32_t kTiles =
+    hal::changed_tiles({pico::kPanelSide / pico::kStripRows, pico::kStripRows}, pico::kPanelSide);
 
 alignas(kArenaAlignment) constinit std::array<std::byte, kBoard.player_memory> memory{};
 constinit Player player(memory, &drawn_with_baked);
@@ -97,5 +102,6 @@ int main() {
   bus.start();
   SysTickClock clock(kHertz);
   FedPanel panel(bus, clock);
-  return run_on_panel<BakedShow>(panel, PanelReset{}, clock, PanelLight{});
+  hal::ChangedTiles<FedPanel, kTiles> changes(panel);
+  return run_on_panel<BakedShow>(changes, PanelReset{}, clock, PanelLight{});
 }

@@ -1,10 +1,11 @@
 // The Utah teapot on a panel of 240x240 pixels, ST7789, on SPI0 with DMA (pins.hpp): one strip is drawn while the other
-// is being sent.
+// is being sent, and only tiles that changed are sent.
 #include "cortex_m/systick.hpp"
 #include "pico/panel_bus.hpp"
 #include "pico/pins.hpp"
 #include "portable/panel_program.hpp"
 #include "portable/turntable_motion.hpp"
+#include "zstrip_hal/changed_tiles.hpp"
 #include "zstrip_hal/st7789.hpp"
 #include "zstrip_scenes/teapot.hpp"
 
@@ -16,6 +17,9 @@ using namespace zstrip::board;
 constexpr View kView{240, 240, PixelFormat::rgb565_swapped};
 constexpr Budget kBudget{.bytes = 128 * 1024, .strip_buffers = 2};
 
+using Player = ScenePlayer<TurntableMotion<scenes::teapot, kView, kBudget>, 2>;
+constexpr hal::StripLayout kLayout{Player::kPlan.strips, Player::kPlan.strip_rows, Player::kPlan.strip_columns};
+
 }  // namespace
 
 int main() {
@@ -23,6 +27,6 @@ int main() {
   bus.start();
   SysTickClock clock(kHertz);
   hal::St7789 panel(bus, clock);
-  return run_on_panel<ScenePlayer<TurntableMotion<scenes::teapot, kView, kBudget>, 2>>(panel, PanelReset{}, clock,
-                                                                                       PanelLight{});
+  hal::ChangedTiles<decltype(panel), hal::changed_tiles(kLayout, kView.width)> changes(panel);
+  return run_on_panel<Player>(changes, PanelReset{}, clock, PanelLight{});
 }
