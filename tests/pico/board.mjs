@@ -6,6 +6,7 @@ import {Chip} from './chip.mjs';
 const kSelect = 17, kDataCommand = 20, kReset = 21, kLight = 22;
 const kLow = 0, kHigh = 1;  // of GPIOPinState; all others are inputs
 const kMemoryWrite = 0x2c;
+const kInterruptControl = 0xd04;  // of the private peripheral bus: has the pending tick of the frame clock
 
 export class Board {
   /** `pixelBytes`: of a frame on the bus. `options`: of a chip. */
@@ -13,7 +14,8 @@ export class Board {
     this.lines = [];   // for the panel's model (panel.cpp): nanoseconds, a word, its value
     this.burst = [];   // bytes that follow each other, whose line is not ended
     this.console = '';  // what was said
-    this.frames = [];   // when each picture was complete, in nanoseconds, the blackened panel first
+    this.frames = [];   // when each picture was complete, in nanoseconds, the blackened panel first;
+                        // a frame that sent nothing is none
     this.stuck = '';   // the bus, bytes do not leave it: until it is switched off, or for ever
     this.chip = new Chip(library, flash, options);
     this.pixelBytes = pixelBytes;
@@ -25,6 +27,11 @@ export class Board {
     watchdog.onWatchdogTrigger = () => {
       watchdog.alarm.enable = false;  // an expired one would never let time go on
       this.chip.end('watchdog');
+    };
+    const {ppb} = emulator, read = ppb.readUint32;
+    ppb.readUint32 = (offset) => {
+      if (offset === kInterruptControl) this.frameClockRead();
+      return read(offset);
     };
     boot(this.chip);
   }
@@ -88,8 +95,19 @@ export class Board {
     this.lines.push(`${Math.round(this.chip.nanos)} ${word} ${value}`);
   }
 
+  /** The panel is blackened whole, before the frame clock runs. */
   deselected() {
-    if (this.pixels !== this.pixelBytes) return;
+    if (this.frames.length === 0 && this.pixels === this.pixelBytes) this.pictureEnds();
+  }
+
+  /** After each frame the program waits for its frame clock. */
+  frameClockRead() {
+    if (this.frames.length === 0 || this.pixels === 0) return;
+    this.line('frame', this.frames.length);
+    this.pictureEnds();
+  }
+
+  pictureEnds() {
     this.pixels = 0;
     this.frames.push(this.chip.nanos);
     this.onFrame(this.frames.length - 1);

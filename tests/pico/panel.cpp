@@ -3,7 +3,7 @@
 //   zstrip_pico_panel [--pictures FOLDER] [--words WORDS] [--frame PPM|-]... < LINES
 // With --frame frame n is to be the picture in the nth file, or anything for -, and there are no more frames than
 // these. Lines are "NANOSECONDS WORD VALUE": reset, select, data, light and a level; cycle, the nanoseconds of a bit;
-// bytes in hexadecimal; stuck, after which the bus gives up. Prints what is wrong, a line each, then "N pictures". Exit
+// bytes in hexadecimal; frame, which is complete; stuck, after which the bus gives up. Prints what is wrong, a line each, then "N pictures". Exit
 // status: 0 nothing is wrong, 1 something is, 2 not such lines.
 #include <algorithm>
 #include <chrono>
@@ -77,6 +77,7 @@ class Panel {
     if (word == "select") return select(value == "0");
     if (word == "data") return void(wire_ = value == "1" ? sim::Wire::data : sim::Wire::command);
     if (word == "stuck") return give_up();
+    if (word == "frame") return end_picture();
     if (word == "light") return void(lit_ = value == "1");
     if (word == "cycle") return model_.clocked_at(sim::Nanoseconds(std::stoul(value)));
     if (word != "bytes" || value.size() % 2 != 0) throw std::runtime_error("unknown line: " + word + " " + value);
@@ -140,15 +141,13 @@ class Panel {
     shown_ += window_bytes_ / 2;
     window_bytes_ = 0;
     command_.clear();
-    if (shown_ < kPixels) return;
-    if (shown_ > kPixels) say("more pixels than a picture has");
-    shown_ = 0;
-    if (!given_up_) end_picture();
+    if (pictures_ == 0 && shown_ == kPixels) end_picture();  // black, and sent to a display that is off
   }
 
-  /// The first one is sent to a display that is off.
   void end_picture() {
-    if (pictures_++ == 0) return;
+    if (shown_ > kPixels) say("more pixels than a picture has");
+    shown_ = 0;
+    if (given_up_ || pictures_++ == 0) return;
     const std::uint32_t frame = pictures_ - 2;
     if (!frames_.empty()) return expect_file(frame);
     expect(render_turntable_rgb565("teapot", frame % kFramesPerTurn, kFramesPerTurn, kSide, kSide),

@@ -107,7 +107,7 @@ const kStuck = {
 function wrongWhenStuck({library, flash, panel}, how, mutation) {
   const {said, shown} = kStuck[how];
   const board = new Board(library, flash, kFrameBytes, {mutate: mutation && mutationOf(mutation)}), {chip} = board;
-  board.onFrame = (frame) => { if (frame === 1) board.in(0.05, () => board.stick(how)); };
+  board.onFrame = (frame) => { if (frame === 1) board.in(0.02, () => board.stick(how)); };
   chip.endIn(20, 'time');
   chip.run();
   const seconds = (chip.nanos - board.frames[1]) / 1e9;
