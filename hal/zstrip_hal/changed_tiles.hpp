@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,6 +23,18 @@ constexpr std::uint32_t changed_tiles(const StripLayout& layout, std::uint16_t w
   const std::uint32_t columns = layout.columns == 0 ? width : layout.columns;
   return layout.count * ((columns + kTileColumns - 1) / kTileColumns) * ((layout.rows + tile_rows - 1U) / tile_rows);
 }
+
+namespace detail {
+
+/// Continues `hash` with rows of pixels: for each value of the other words, every value of a word of four bytes has
+/// its own result.
+std::uint32_t hash_rows(std::uint32_t hash, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
+                        std::uint32_t rows);
+
+/// Moves rows of `bytes` bytes to `to`, which begins before them or where they do: without gaps.
+void pack_rows(const std::byte* from, std::byte* to, std::uint32_t bytes, std::uint32_t stride, std::uint32_t rows);
+
+}  // namespace detail
 
 /// Wraps a display: each write() sends the smallest rectangle that has all tiles that changed, or nothing. `tiles`: as
 /// many as changed_tiles() says; what lies beyond them is always sent. A strip with fewer than `tile_rows` rows has
@@ -78,9 +89,8 @@ class ChangedTiles {
     pixels = pixels.subspan(std::size_t{stride} * (changed.top - area.top));
     const std::uint32_t bytes = bytes_per_row(changed.width, format());
     if (bytes != stride) {
-      const std::byte* from = pixels.data() + bytes_per_row(narrow(changed.left - area.left), format());
-      std::byte* to = pixels.data();
-      for (unsigned row = 0; row < changed.height; ++row, from += stride, to += bytes) move_forward(from, to, bytes);
+      const std::uint32_t left = bytes_per_row(narrow(changed.left - area.left), format());
+      detail::pack_rows(pixels.data() + left, pixels.data(), bytes, stride, changed.height);
     }
     return checked(panel_.write(changed, pixels.first(std::size_t{bytes} * changed.height)));
   }
@@ -94,38 +104,12 @@ class ChangedTiles {
   }
 
  private:
-  static constexpr std::uint32_t kUnknown = 0;  // no tile has this hash
+  static constexpr std::uint32_t kUnknown = 0;
   static constexpr std::uint16_t narrow(std::uint32_t value) { return static_cast<std::uint16_t>(value); }
 
   Error checked(Error error) {
     if (error != Error::none) forget();
     return error;
-  }
-
-  /// One step of the hash: for a given `hash` every word has its own result, and for a given word every hash. The
-  /// rotation lets high bits reach low ones, which a multiplication does not.
-  static constexpr std::uint32_t mixed(std::uint32_t hash, std::uint32_t word) {
-    return (std::rotl(hash, 5) ^ word) * 0x9E3779B1U;  // 2^32 by the golden ratio, prime
-  }
-  /// True if words of four bytes may be read from `at`.
-  static bool is_aligned(const std::byte* at) { return reinterpret_cast<std::uintptr_t>(at) % 4 == 0; }
-
-  /// Continues the hash of a tile's place with its pixels: tiles of other areas are not taken for it.
-  static std::uint32_t hash_of(std::uint32_t hash, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
-                               unsigned rows) {
-    for (; rows > 0; --rows, pixels += stride) {
-      const std::byte* at = pixels;
-      const std::byte* const end = at + bytes;
-      if (is_aligned(at)) {
-        for (; end - at >= 4; at += 4) {
-          std::uint32_t word = 0;
-          __builtin_memcpy(&word, __builtin_assume_aligned(at, 4), sizeof word);
-          hash = mixed(hash, word);
-        }
-      }
-      for (; at != end; ++at) hash = mixed(hash, std::to_integer<std::uint32_t>(*at));
-    }
-    return hash == kUnknown ? 1 : hash;
   }
 
   /// Remembers the hashes of an area; returns the smallest part of it that has all tiles that changed, or one without
@@ -134,15 +118,17 @@ class ChangedTiles {
     const auto part = [](std::uint32_t whole, std::uint32_t first, std::uint32_t size) {
       return narrow(whole - first < size ? whole - first : size);
     };
+    const std::uint32_t tile_bytes = bytes_per_row(kTileColumns, format());
     std::uint32_t left = area.width, top = area.height, right = 0, bottom = 0;
     for (std::uint32_t y = 0; y < area.height; y += tile_rows) {
       for (std::uint32_t x = 0; x < area.width; x += kTileColumns, ++next_) {
         const std::uint16_t columns = part(area.width, x, kTileColumns), rows = part(area.height, y, tile_rows);
         if (next_ < tiles) {
-          const std::byte* const first = pixels + y * stride + bytes_per_row(narrow(x), format());
-          const std::uint32_t place =
-              mixed((area.left + x) << 16 | (area.top + y), std::uint32_t{columns} << 16 | rows);
-          const std::uint32_t hash = hash_of(place, first, bytes_per_row(columns, format()), stride, rows);
+          // Tiles of other areas have other hashes.
+          const std::uint32_t place = ((area.left + x) << 16 | (area.top + y)) ^ (rows << 24 | columns << 8);
+          const std::uint32_t hash =
+              detail::hash_rows(place, pixels + y * stride + x / kTileColumns * tile_bytes,
+                                columns == kTileColumns ? tile_bytes : bytes_per_row(columns, format()), stride, rows);
           if (hashes_[next_] == hash) continue;
           hashes_[next_] = hash;
         }
@@ -152,18 +138,6 @@ class ChangedTiles {
     }
     if (left >= right) return {};
     return {narrow(area.left + left), narrow(area.top + top), narrow(right - left), narrow(bottom - top)};
-  }
-
-  /// Copies `bytes` to a place that begins before them.
-  static void move_forward(const std::byte* from, std::byte* to, std::uint32_t bytes) {
-    if (is_aligned(from) && is_aligned(to)) {
-      for (; bytes >= 4; bytes -= 4, from += 4, to += 4) {
-        std::uint32_t word = 0;
-        __builtin_memcpy(&word, __builtin_assume_aligned(from, 4), sizeof word);
-        __builtin_memcpy(__builtin_assume_aligned(to, 4), &word, sizeof word);
-      }
-    }
-    for (; bytes > 0; --bytes) *to++ = *from++;
   }
 
   Panel& panel_;

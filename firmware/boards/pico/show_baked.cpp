@@ -98,10 +98,10 @@ class BakedShow {
 }  // namespace
 
 int main() {
-  PanelBus bus;
+  static constinit PanelBus bus;
   bus.start();
-  SysTickClock clock(kHertz);
-  FedPanel panel(bus, clock);
-  hal::ChangedTiles<FedPanel, kTiles> changes(panel);
+  static constinit SysTickClock clock(kHertz);
+  static constinit FedPanel panel(bus, clock);
+  static constinit hal::ChangedTiles<FedPanel, kTiles> changes(panel);
   return run_on_panel<BakedShow>(changes, PanelReset{}, clock, PanelLight{});
 }

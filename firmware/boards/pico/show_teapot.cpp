@@ -23,10 +23,10 @@ constexpr hal::StripLayout kLayout{Player::kPlan.strips, Player::kPlan.strip_row
 }  // namespace
 
 int main() {
-  PanelBus bus;
+  static constinit PanelBus bus;
   bus.start();
-  SysTickClock clock(kHertz);
-  hal::St7789 panel(bus, clock);
-  hal::ChangedTiles<decltype(panel), hal::changed_tiles(kLayout, kView.width)> changes(panel);
+  static constinit SysTickClock clock(kHertz);
+  static constinit hal::St7789 panel(bus, clock);
+  static constinit hal::ChangedTiles<decltype(panel), hal::changed_tiles(kLayout, kView.width)> changes(panel);
   return run_on_panel<Player>(changes, PanelReset{}, clock, PanelLight{});
 }
