@@ -51,7 +51,7 @@ inline constexpr Board kPico{.name = "pico",
                              .family = 0xE48BFF56,
                              .flash_bytes = 2 << 20,
                              .player = "zstrip_pico_player",
-                             .player_memory = 248 * 1024,
+                             .player_memory = 247 * 1024,
                              .no_scene = ZSTRIP_PICO_NO_SCENE("")};
 /// Returns a board whose player has hot code in RAM. The scene has `bytes` less, for that code and some KB in which it
 /// may grow.
@@ -70,7 +70,7 @@ inline constexpr Board kPico2{.name = "pico2",
                               .family = 0xE48BFF59,
                               .flash_bytes = 4 << 20,
                               .player = "zstrip_pico2_player",
-                              .player_memory = 508 * 1024,
+                              .player_memory = 507 * 1024,
                               .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico2")};
 inline constexpr Board kPico2Hot = with_hot_code(kPico2, "pico2_hot", "zstrip_pico2_player_hot", 32 * 1024,
                                                  ZSTRIP_PICO_NO_SCENE(" --board pico2_hot"));
