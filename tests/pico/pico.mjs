@@ -145,8 +145,8 @@ function measured({library, uf2, folder, zstrip, scene}) {
     run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--with', uf2);
     flash = flashOf(file('both.uf2'));
   }
-  // The player opens the scene before its first frame.
-  const kFirst = scene ? 1 : 0, kFrames = kFirst + 2;
+  // Before its first frame the player opens the scene, and that frame is sent whole.
+  const kFirst = 1, kFrames = kFirst + 2;
   const kStackTop = new DataView(flash.buffer).getUint32(0x100, true) - 0x20000000;
   const board = new Board(library, flash, kFrameBytes), {chip} = board;
   const counters = new Counters(chip), reached = [];
