@@ -15,7 +15,7 @@ using namespace zstrip;
 using namespace zstrip::board;
 
 constexpr View kView{240, 240, PixelFormat::rgb565_swapped};
-constexpr Budget kBudget{.bytes = 128 * 1024, .strip_buffers = 2};
+constexpr Budget kBudget{.bytes = 128 * 1024, .strip_rows = 24, .strip_buffers = 2};
 
 using Player = ScenePlayer<TurntableMotion<scenes::teapot, kView, kBudget>, 2>;
 constexpr hal::StripLayout kLayout{Player::kPlan.strips, Player::kPlan.strip_rows, Player::kPlan.strip_columns};
