@@ -3,8 +3,8 @@
 //   zstrip_pico_panel [--pictures FOLDER] [--words WORDS] [--frame PPM|-]... < LINES
 // With --frame frame n is to be the picture in the nth file, or anything for -, and there are no more frames than
 // these. Lines are "NANOSECONDS WORD VALUE": reset, select, data, light and a level; cycle, the nanoseconds of a bit;
-// bytes in hexadecimal; frame, which is complete; stuck, after which the bus gives up. Prints what is wrong, a line each, then "N pictures". Exit
-// status: 0 nothing is wrong, 1 something is, 2 not such lines.
+// bytes in hexadecimal; frame, which is complete; stuck, after which the bus gives up. Prints what is wrong, a line
+// each, then "N pictures". Exit status: 0 nothing is wrong, 1 something is, 2 not such lines.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
