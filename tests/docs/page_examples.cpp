@@ -10,6 +10,7 @@
 #include "scene.hpp"
 #include "zstrip/area.hpp"
 #include "zstrip/zstrip.hpp"
+#include "zstrip_hal/changed_tiles.hpp"
 #include "zstrip_hal/message_screen.hpp"
 #include "zstrip_hal_linux/gpio.hpp"
 #include "zstrip_hal_linux/sleeping_clock.hpp"
@@ -133,6 +134,11 @@ void drawn() {
   // docs/displays.md: On another display library
 }
 }  // namespace on_tft
+
+void only_changes(adapters::TftEspi& panel, zstrip::Player& player) {
+  using Panel = adapters::TftEspi;
+  // docs/displays.md: Send only what changed
+}
 
 void without_a_console() {
   // docs/displays.md: Without a console
