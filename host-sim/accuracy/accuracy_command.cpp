@@ -260,7 +260,9 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
   Arguments& a = *arguments;
   command->add_option("scenes", a.scenes, "Built-in scenes, scene files, models or baked scenes")
       ->type_name("SCENE...");
-  command->add_option("--target", a.targets, "Whose time, separated by commas: host, or an emulated m0, m3 or m4f")
+  command
+      ->add_option("--target", a.targets,
+                   "Targets that are timed, separated by commas: host, or an emulated m0, m3 or m4f")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->transform(one_of({"host", "m0", "m3", "m4f"}))
@@ -269,14 +271,14 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->transform(one_of({"host", "m0", "m3", "m4f"}));
-  command->add_option("--knobs", a.knobs, "Knobs to turn, separated by commas, or all")
+  command->add_option("--knobs", a.knobs, "Knobs to vary, separated by commas, or all")
       ->transform(lower_case())
       ->capture_default_str();
   command->add_option("--size", a.size, "Size of the picture")
       ->transform(lower_case())
       ->type_name("WxH")
       ->capture_default_str();
-  command->add_option("--frames", a.frames, "Poses of a turn")
+  command->add_option("--frames", a.frames, "Poses of a full rotation")
       ->type_name("N")
       ->check(CLI::Range(1U, 60U))
       ->capture_default_str();
@@ -288,10 +290,10 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       ->type_name("SETTINGS");
   command->add_flag("--singles", a.singles, "One knob at a time, no combinations");
   command->add_flag("--presets", a.presets, "The presets tiny, balanced and exact, too");
-  command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")
+  command->add_option("--up", a.up, "Axis that points upwards in a model file (default: as its format says)")
       ->transform(lower_case())
       ->type_name("AXIS");
-  command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
+  command->add_option("--firmware", a.firmware, "Folder of the boards' programs (default: where the build puts them)")
       ->type_name("DIR");
   command->add_flag("--list-programs", a.programs,
                     "Print the names of the boards' programs that would be run, and end");

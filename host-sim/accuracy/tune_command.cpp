@@ -159,7 +159,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("scene", a.scene, "A built-in scene, a scene file, a model or a baked scene")
       ->required()
       ->type_name("SCENE");
-  command->add_option("--target", a.target, "Whose time: host, or an emulated m0, m3 or m4f")
+  command->add_option("--target", a.target, "The target that is timed: host, or an emulated m0, m3 or m4f")
       ->transform(one_of({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();
   command->add_option("--size", a.size, "Size of the picture")
@@ -179,17 +179,17 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("--max-ram", a.ram, "Arena and one strip of pixels, K and M allowed")->type_name("BYTES");
   command->add_option("--max-flash", a.flash, "The scene, K and M allowed")->type_name("BYTES");
   command->add_option("--min-fps", a.fps, "Frames a second, on boards the least that is predicted")->type_name("N");
-  command->add_option("--frames", a.frames, "Poses of a turn")
+  command->add_option("--frames", a.frames, "Poses of a full rotation")
       ->type_name("N")
       ->check(CLI::Range(1U, 60U))
       ->capture_default_str();
   command->add_option("--jobs", a.jobs, "Settings measured at once (default: one a core)")
       ->type_name("N")
       ->check(CLI::Range(1U, 256U));
-  command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")
+  command->add_option("--up", a.up, "Axis that points upwards in a model file (default: as its format says)")
       ->transform(lower_case())
       ->type_name("AXIS");
-  command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
+  command->add_option("--firmware", a.firmware, "Folder of the boards' programs (default: where the build puts them)")
       ->type_name("DIR");
   command
       ->add_option("-o,--output", a.output,
@@ -198,7 +198,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_flag("--list-programs", a.programs, "Print the names of the boards' programs that may be run, and end");
   command->add_flag("--quiet", a.quiet, "No report and no progress");
   command->footer(
-      "Exit status 5 where no settings keep all limits; the message says which and by how much.\nExamples:\n"
+      "Exit status 5 if no settings keep all limits; the message says which and by how much.\nExamples:\n"
       "  zstrip tune knot --max-error-pixels 0.5% --max-ram 16K\n"
       "  zstrip tune knot --target m3 --size 240x240 --max-error-pixels 0.5% --max-ram 16K --min-fps 30 -o "
       "out/quality");

@@ -373,16 +373,16 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
           ->transform(one_of(board_names()))
           ->excludes(target)
           ->excludes("--peers");
-  command.add_option("--spi-mhz", options.spi_mhz, "Clock of the display's bus instead of the board's most")
+  command.add_option("--spi-mhz", options.spi_mhz, "Clock of the display's bus instead of the board's fastest")
       ->check(CLI::Range(0.01, 1000.0))
       ->needs(board);
   command.add_option("--core-mhz", options.core_mhz, "Clock of the core instead of the board's own")
       ->check(CLI::Range(0.01, 10000.0))
       ->needs(board);
-  command.add_option("--cores", options.cores, "How many cores draw, each the next strip when it is free")
+  command.add_option("--cores", options.cores, "Number of cores that draw, each the next strip when it is free")
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{2}))
       ->needs(board);
-  command.add_option("--wait-states", options.wait_states, "Of the flash instead of the board's own")
+  command.add_option("--wait-states", options.wait_states, "Wait states of the flash instead of the board's own")
       ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{1000}))
       ->needs(board);
 }
@@ -434,11 +434,14 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100000}))
       ->capture_default_str();
   command
-      ->add_option("--firmware", options->firmware, "Folder of the boards' programs, if not where the build puts them")
+      ->add_option("--firmware", options->firmware,
+                   "Folder of the boards' programs (default: where the build puts them)")
       ->type_name("DIR");
   command->add_flag("--list-programs", options->programs,
                     "Print the names of the boards' programs that would be run, and end");
-  command->add_flag("--stages", options->stages, "Where a board's instructions go; see host-sim/bench/stages")
+  command
+      ->add_flag("--stages", options->stages,
+                 "Show which stage takes a board's instructions; see host-sim/bench/stages")
       ->needs(target);
   command->add_flag("--peers", options->peers, "Other renderers of this machine on the same workloads, and ratios")
       ->excludes(target);

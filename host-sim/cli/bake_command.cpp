@@ -409,8 +409,8 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       ->add_option(
           "-o,--output", a.output,
           "The file to write: .hpp for C++ constants, .ino for a sketch for Arduino that shows them on an ST7789, .cpp "
-          "for a program that draws them, .zsc for a blob, .uf2 for a blob that a Raspberry Pi Pico takes "
-          "beside zstrip_pico_player.uf2, or a Pico 2 beside zstrip_pico2_player.uf2. FOLDER/: a whole program, for "
+          "for a program that draws them, .zsc for a blob, .uf2 for a blob for a Raspberry Pi Pico "
+          "with zstrip_pico_player.uf2, or for a Pico 2 with zstrip_pico2_player.uf2. FOLDER/: a whole program, see "
           "--project and --display")
       ->required()
       ->type_name("FILE");
@@ -421,34 +421,38 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                                 visibility_names()));
   add_camera_options(*command, a.camera);
   add_reduction_options(*command, a.camera.reduction);
-  command->add_flag("--turntable", a.turntable, "Place the camera so that the model may turn, as for several frames");
-  command->add_option("--namespace", a.name_space, "Where a header's constants are, for several in one program")
+  command->add_flag("--turntable", a.turntable, "Place the camera so that the model can rotate");
+  command
+      ->add_option("--namespace", a.name_space,
+                   "Namespace of a header's constants, so that one program can have several headers")
       ->type_name("NAME")
       ->capture_default_str();
   command
       ->add_option("--visible-sets", a.visible_sets,
-                   "Write, besides, which meshlets cannot be seen from the cells of a grid (zstrip render reads it)")
+                   "Also write which meshlets cannot be seen from the cells of a grid, for zstrip render")
       ->type_name("FILE");
   command->add_option("--cells", a.cells, "Cells of that grid along x, y and z (default: 8x2x8)")
       ->transform(lower_case())
       ->type_name("NxNxN");
   command
-      ->add_option("--textures", a.textures,
-                   "Palettes for textures, which take fewer bytes and are drawn slower: auto, where nothing is lost; "
-                   "palette8, of 256 colours, or palette4, of 16; rgb565: none (default)")
+      ->add_option(
+          "--textures", a.textures,
+          "Palettes make textures smaller and drawing slower: auto, where no colour is lost; palette8, with 256 "
+          "colours; palette4, with 16; rgb565, no palettes (default)")
       ->option_text("FORMAT")
       ->transform(one_of({"rgb565", "auto", "palette8", "palette4"}));
   command
-      ->add_option("--mipmaps", a.mipmaps,
-                   "Smaller levels of textures, for texels that lie closer than pixels: auto, where the scene has "
-                   "them (default); on, for all textures of instances: a third more bytes, and drawn slower; off: none")
+      ->add_option(
+          "--mipmaps", a.mipmaps,
+          "Mipmaps, for textures that are seen from far away: auto, where the scene has them (default); on, for "
+          "all textures of instances, which take a third more bytes and are drawn slower; off, none")
       ->option_text("CHOICE")
       ->transform(one_of({"auto", "on", "off"}));
   command
-      ->add_option("--clipping", a.clipping,
-                   "Code that clips triangles, and edges for --edges: auto, none in a header whose motion, a turn with "
-                   "--turntable or its animation, never needs them (default); on, for programs that move camera or "
-                   "instances otherwise")
+      ->add_option(
+          "--clipping", a.clipping,
+          "Code that clips triangles, and edges for --edges: auto, left out of a header if its own motion never "
+          "needs them (default); on, for programs that move camera or instances themselves")
       ->option_text("CHOICE")
       ->transform(one_of({"auto", "on"}));
   add_pico_options(*command, a.pico);

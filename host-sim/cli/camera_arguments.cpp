@@ -14,7 +14,8 @@
 namespace zstrip::sim {
 void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   CameraArguments& a = arguments;
-  command.add_option("--up", a.up, "A model's axis that points upwards: x, -x, y, -y, z, -z; else as its format says")
+  command
+      .add_option("--up", a.up, "A model's axis that points upwards: x, -x, y, -y, z, -z (default: as its format says)")
       ->transform(lower_case())
       ->type_name("AXIS");
   command.add_option("--animation", a.animation, "An animation of a glTF 2.0 file, by its name (default: the first)")
@@ -25,8 +26,9 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
       "--plain-materials", a.plain_materials,
       "Draws smooth metals of a model matt, which takes less flash and time (default: they mirror a studio)");
   command.add_option("--camera", a.camera, "A camera of a glTF 2.0 file, by its name")->type_name("NAME");
-  command.add_option("--eye", a.eye, "Where the camera is, in the model's units")->type_name("X,Y,Z");
-  command.add_option("--look-at", a.look_at, "What it looks at (default: the model's centre)")->type_name("X,Y,Z");
+  command.add_option("--eye", a.eye, "Place of the camera, in the model's units")->type_name("X,Y,Z");
+  command.add_option("--look-at", a.look_at, "The point that the camera looks at (default: the model's centre)")
+      ->type_name("X,Y,Z");
   command
       .add_option("--orbit", a.orbit,
                   "Camera on a sphere around that point: radius, degrees from the front, from above")

@@ -122,16 +122,19 @@ void add_font_command(CLI::App& app, int& exit_code) {
   command->add_option("--size", a.size, "Pixels of the em square, 4 to 200")
       ->type_name("PIXELS")
       ->capture_default_str();
-  command->add_option("--bits", a.bits, "Of a pixel's coverage: 1, 4 or 8")->type_name("BITS")->capture_default_str();
+  command->add_option("--bits", a.bits, "Bits of a pixel's coverage: 1, 4 or 8")
+      ->type_name("BITS")
+      ->capture_default_str();
   command
-      ->add_option("--characters", a.characters,
-                   "UTF-8; a - between two is all from the one to the other (default: ASCII)")
+      ->add_option("--characters", a.characters, "Characters in UTF-8; A-Z stands for all from A to Z (default: ASCII)")
       ->type_name("TEXT");
   command
       ->add_option("--replacement", a.replacement,
-                   "What is shown for a character that is not there (default: U+FFFD, if the font has it)")
+                   "Character that replaces missing ones (default: U+FFFD, if the font has it)")
       ->type_name("CHARACTER");
-  command->add_option("--namespace", a.name_space, "Where the header's constants are, for several in one program")
+  command
+      ->add_option("--namespace", a.name_space,
+                   "Namespace of the header's constants, so that one program can have several headers")
       ->type_name("NAME")
       ->capture_default_str();
   command->add_flag("--quiet", a.quiet, "No report; warnings and errors remain");

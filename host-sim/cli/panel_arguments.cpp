@@ -97,7 +97,7 @@ void add_panel_options(CLI::App& command, PanelArguments& arguments) {
   for (const PanelKind& kind : panel_kinds()) names.emplace_back(kind.name);
   command
       .add_option("--panel", a.panel,
-                  fmt::format("Shows what a panel would, driven by zstrip's driver: {}", fmt::join(names, ", ")))
+                  fmt::format("Shows the picture as this panel with zstrip's driver would: {}", fmt::join(names, ", ")))
       ->transform(lower_case())
       ->type_name("NAME");
   command
@@ -105,7 +105,7 @@ void add_panel_options(CLI::App& command, PanelArguments& arguments) {
                   "The panel's bus and its clock: spi@40MHz, i2c@400kHz (default: the fastest it allows)")
       ->transform(lower_case())
       ->type_name("BUS");
-  command.add_option("--rotation", a.rotation, "Turns the picture on the panel, clockwise: 0, 90, 180 or 270")
+  command.add_option("--rotation", a.rotation, "Rotates the picture on the panel, clockwise: 0, 90, 180 or 270")
       ->type_name("DEGREES");
   command.add_flag("--mirror", a.mirror, "Mirrors the picture on the panel, left and right");
 }

@@ -23,15 +23,14 @@ void add_pico_options(CLI::App& command, PicoArguments& arguments) {
   command
       .add_option(
           "--board", arguments.board,
-          "Which board a .uf2 file is for: pico, a Raspberry Pi Pico (default), or pico2, a Pico 2; pico_hot or "
-          "pico2_hot: with the program that has hot code in RAM, and less of it for a scene")
+          "The board of a .uf2 file: pico, a Raspberry Pi Pico (default), or pico2, a Pico 2; pico_hot or pico2_hot: "
+          "for the program that has hot code in RAM, and less RAM for a scene")
       ->option_text("BOARD")
       ->transform(one_of(names));
   command
-      .add_option(
-          "--with", arguments.program,
-          "Into a .uf2 file, too: the program that shows it, zstrip_pico_player.uf2 or zstrip_pico2_player.uf2, "
-          "or one of them with _hot")
+      .add_option("--with", arguments.program,
+                  "Also put the program that shows the scene into the .uf2 file: zstrip_pico_player.uf2, "
+                  "zstrip_pico2_player.uf2, or one of them with _hot")
       ->type_name("FILE");
 }
 

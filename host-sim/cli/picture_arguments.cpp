@@ -62,16 +62,17 @@ void add_quality_options(CLI::App& command, ViewArguments& arguments) {
       ->type_name("FORMAT");
   command.add_flag_function(
       "--dither,!--no-dither", [&arguments](std::int64_t count) { arguments.dither = count > 0; },
-      "Hide the steps between colours in a pattern, where they get fewer bits (default: no)");
+      "Dither: hide the steps between colours in a pattern (default: no)");
   command
-      .add_option("--samples", arguments.samples,
-                  "Samples a pixel, whose mean smooths edges: 1 (default), 2 (side by side) or 4 (two by two); they "
-                  "take memory and time as so many pixels")
+      .add_option(
+          "--samples", arguments.samples,
+          "Samples a pixel: 1 (default), 2 (side by side) or 4 (two by two). More samples smooth edges; each takes "
+          "the memory and time of a pixel")
       ->type_name("N")
       ->transform(one_of({"1", "2", "4"}));
   command.add_flag_function(
       "--edges,!--no-edges", [&arguments](std::int64_t count) { arguments.edges = count > 0; },
-      "Smooth the edges of models alone, for less time than samples (default: no)");
+      "Smooth only the edges of models, in less time than samples (default: no)");
 }
 
 std::optional<bool> parse_edges(const ViewArguments& arguments, const PictureSettings& settings) {

@@ -49,8 +49,9 @@ std::string_view depth_option(const std::optional<std::string>& given);
 
 /// The help of --ram.
 inline constexpr const char* kRamHelp =
-    "Bytes at most, of arena and strip buffers, K and M allowed; max: the whole picture in one strip (default: 24K, or "
-    "what the scene needs)";
+    "Limit for arena and strip buffers in bytes, K and M allowed; max: the whole picture in one strip (default: 24K, "
+    "or "
+    "more if the scene needs it)";
 
 /// The options as given on the command line.
 struct MemoryArguments {

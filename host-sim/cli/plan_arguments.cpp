@@ -19,11 +19,11 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       ->type_name("WxH");
   add_quality_options(command, a.view);
   command.add_option("--ram", a.memory.ram, kRamHelp)->type_name("BYTES");
-  command.add_option("--strip-buffers", a.strip_buffers, "Pixel buffers of a strip: 2 where DMA sends one meanwhile")
+  command.add_option("--strip-buffers", a.strip_buffers, "Strip buffers: 2 if DMA sends one while the other is drawn")
       ->type_name("N")
       ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{2}))
       ->capture_default_str();
-  command.add_option("--strip-rows", a.memory.strip_rows, "Rows of a strip (default: auto, what is fastest)")
+  command.add_option("--strip-rows", a.memory.strip_rows, "Rows of a strip (default: auto, the fastest number)")
       ->transform(lower_case())
       ->type_name("N|auto");
   command
@@ -31,12 +31,14 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       ->transform(lower_case())
       ->type_name("N|auto");
   command.add_flag("--split-columns", a.split_columns, "The display takes rectangles narrower than the picture");
-  command.add_option("--mode", a.mode, "Transform geometry for each strip, once, or what is faster")
+  command
+      .add_option("--mode", a.mode,
+                  "Transform geometry for each strip (streamed), once (binned), or as is faster (any)")
       ->transform(one_of({"any", "streamed", "binned"}))
       ->capture_default_str();
   command
       .add_option("--visibility", a.visibility,
-                  fmt::format("How visibility is found: {} (default: zbuffer)", visibility_names()))
+                  fmt::format("The visibility method: {} (default: zbuffer)", visibility_names()))
       ->transform(lower_case())
       ->type_name("METHOD");
 }

@@ -156,13 +156,13 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   add_reduction_options(*command, a.reduction);
   command
       ->add_option("--depth-format", a.depth_format,
-                   "How depth is kept: z16 (default), float, z24, or auto: what sorts and fits")
+                   "Depth in the z-buffer: z16 (default), float, z24, or auto: the cheapest that sorts and fits")
       ->type_name("FORMAT");
   command
       ->add_option("--separation", a.separation,
-                   "How far apart things are that must sort, in world units (default: a pixel)")
+                   "The smallest distance between surfaces that must sort, in world units (default: a pixel)")
       ->type_name("LENGTH");
-  command->add_flag("--static-layer", a.static_layer, "The picture is kept as a static layer; --ram holds it, too");
+  command->add_flag("--static-layer", a.static_layer, "Keep the picture as a static layer; --ram includes it");
   command->add_flag("--json", a.json, "JSON instead of a table");
   command->footer(
       "Examples:\n"

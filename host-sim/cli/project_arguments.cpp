@@ -40,15 +40,15 @@ Result<Done> write_new(const fs::path& path, const std::string& text) {
 
 void add_project_options(CLI::App& command, ProjectArguments& arguments) {
   command
-      .add_option(
-          "--project", arguments.project,
-          "What a folder is for: arduino, a sketch (default); platformio, a sketch with a platformio.ini; pico, "
-          "a program for the Raspberry Pi Pico SDK with an ST7789")
+      .add_option("--project", arguments.project,
+                  "The kind of program in a folder: arduino, a sketch (default); platformio, a sketch with a "
+                  "platformio.ini; pico, "
+                  "a program for the Raspberry Pi Pico SDK with an ST7789")
       ->option_text("KIND")
       ->transform(one_of({"arduino", "platformio", "pico"}));
   command
       .add_option("--display", arguments.display,
-                  "What drives the panel of a folder's sketch: st7789, zstrip's own driver (default); tft_espi, "
+                  "The driver of the panel in a folder's sketch: st7789, zstrip's own (default); tft_espi, "
                   "lovyangfx or arduino_gfx, which are libraries for Arduino")
       ->option_text("LIBRARY")
       ->transform(one_of({"st7789", "tft_espi", "lovyangfx", "arduino_gfx"}));

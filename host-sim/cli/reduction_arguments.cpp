@@ -26,12 +26,14 @@ bool read_number(std::string_view text, T& value) {
 
 void add_reduction_options(CLI::App& command, ReductionArguments& arguments) {
   command
-      .add_option("--texture-size", arguments.texture_size,
-                  "Longer side of a model's textures at most, a power of two from 1 to 2048: larger ones are halved")
+      .add_option(
+          "--texture-size", arguments.texture_size,
+          "Limit for the longer side of a model's textures, a power of two from 1 to 2048; larger textures are halved")
       ->type_name("N");
   command
       .add_option("--triangles", arguments.triangles,
-                  "A model's triangles at most, a number or a share such as 25%: those that change its shape least go")
+                  "Limit for a model's triangles, a number or a share such as 25%; those that change its shape least "
+                  "are removed")
       ->type_name("N|N%");
 }
 

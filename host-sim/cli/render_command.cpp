@@ -281,11 +281,13 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--frames", a.frames,
-          "Frames of the animation, or of a full turn, 1 to 10000 (default: 1 into a picture, 8 into a folder or "
+          "Frames of the animation, or of a full rotation, 1 to 10000 (default: 1 for a picture, 8 for a folder or "
           ".apng)")
       ->option_text("N")
       ->check(CLI::Range(1U, kMaxFrames));
-  command->add_option("--threads", a.threads, "Threads that draw, the same pixels with any (default: one a core)")
+  command
+      ->add_option("--threads", a.threads,
+                   "Number of threads that draw; the pixels are the same (default: one for each core)")
       ->option_text("N")
       ->check(CLI::Range(1U, kMaxThreads));
   command->add_option("--image", a.image, "Picture files: png (default), jpeg, ppm or raw")

@@ -15,7 +15,7 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   VisibilityArguments& a = arguments;
   command
       .add_option("--visibility", a.method,
-                  fmt::format("How visibility is found: {} (default: zbuffer)", visibility_names()))
+                  fmt::format("The visibility method: {} (default: zbuffer)", visibility_names()))
       ->transform(lower_case())
       ->type_name("METHOD");
   command
@@ -30,15 +30,15 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
       ->transform(one_of({"middle", "nearest", "farthest"}));
   command
       .add_option("--cull", a.cull,
-                  "All that is left out early, separated by commas: back-faces, small, spheres (meshlets by their "
-                  "bounding spheres), temporal (meshlets hidden in the last frame come last; hierarchical-z), or none. "
-                  "The list takes the place of the default: back-faces,small")
+                  "The kinds of culling, separated by commas: back-faces, small, spheres (meshlets by their bounding "
+                  "spheres), temporal (meshlets hidden in the last frame come last; hierarchical-z), or none. The list "
+                  "replaces the default: back-faces,small")
       ->transform(lower_case())
       ->option_text("LIST")
       ->delimiter(',');
   command
       .add_option("--visible-sets", a.sets,
-                  "Leave out the meshlets that cannot be seen from the camera's cell, by a file of zstrip bake")
+                  "Leave out the meshlets that cannot be seen from the camera's cell, as this file of zstrip bake says")
       ->type_name("FILE");
   command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles, error or accuracy")
       ->transform(lower_case())

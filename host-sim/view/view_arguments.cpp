@@ -33,14 +33,14 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
   add_drawing_options(command, options.drawing);
   command
       .add_option("--frames", options.frames,
-                  "Frames of the animation, or of a full turn, 1 to 10000 (default: 64, in the window of an animation "
-                  "30 a second if that is more)")
+                  "Frames of the animation, or of a full rotation, 1 to 10000 (default: 64, or 30 a second of an "
+                  "animation in the window if that is more)")
       ->option_text("N")
       ->check(CLI::Range(1U, 10000U));
   command
-      .add_option(
-          "--board", options.board,
-          fmt::format("As slow as this board is about: {}; --bus is then its bus", fmt::join(names_of_boards(), ", ")))
+      .add_option("--board", options.board,
+                  fmt::format("Show the picture about as fast as this board draws it: {}; --bus is then its bus",
+                              fmt::join(names_of_boards(), ", ")))
       ->transform(lower_case())
       ->type_name("NAME");
 }

@@ -27,11 +27,11 @@ export const kSettings = [
   },
   {
     name: 'samples', label: 'Samples a pixel', option: '--samples', isBaked: true, kind: 'choice', choices: ['', '1', '2', '4'],
-    tip: 'The mean of several samples smooths all edges; it takes time and memory as so many more pixels.'
+    tip: 'Several samples a pixel smooth all edges; each takes the time and memory of a pixel.'
   },
   {
     name: 'edges', label: 'Smooth edges', option: '--edges', isBaked: true, kind: 'flag',
-    tip: 'Smooths the outlines of models alone, in less time than several samples. Needs one sample a pixel.'
+    tip: 'Smooths only the outlines of models, in less time than several samples. Needs one sample a pixel.'
   },
   {
     name: 'background', label: 'Background', option: '--background', isBaked: true, isOfModels: true, kind: 'colour',
@@ -70,7 +70,7 @@ export const kSettings = [
   },
   {
     name: 'frames', label: 'Frames', option: '--frames', kind: 'text', hint: '64', isRare: true,
-    tip: 'Frames of the animation, or of a full turn of what does not move.'
+    tip: 'Frames of the animation, or of a full rotation of a scene without one.'
   },
 ];
 
