@@ -416,7 +416,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   add_plan_options(*command, a.plan);
   command->get_option("--visibility")
-      ->description(fmt::format("How visibility is found: {} (default: zbuffer). Headers keep it, .zsc only "
+      ->description(fmt::format("The visibility method: {} (default: zbuffer). Headers keep it, .zsc only "
                                 "painter-newell and painter-bsp, .uf2, .ino and .cpp none",
                                 visibility_names()));
   add_camera_options(*command, a.camera);
