@@ -19,7 +19,7 @@ struct Ili9488Controller {
   static constexpr std::uint16_t kColumns = 320;
   static constexpr std::uint16_t kRows = 480;
   static constexpr bool kHasBrightness = true;
-  static constexpr bool kWidens565 = true;
+  static constexpr DcsTraits kTraits{.widens_565 = true};
   static constexpr std::uint32_t kId = 0x009488;
   /// Command FBh, SPI read command setting, selects a byte of ID4.
   template <ReadableBus Bus>

@@ -51,13 +51,22 @@ constexpr DcsConfig turned(DcsConfig module, Rotation by) {
   return module;
 }
 
+/// In what a controller is not usual.
+struct DcsTraits {
+  bool widens_565 = false;    ///< its bus takes no pixels of 16 bits, so that rgb565_swapped is sent as rgb666
+  bool even_areas = false;    ///< areas must begin and end at even columns and rows
+  bool exchanges = true;      ///< rows and columns can be exchanged
+  bool reverses_rows = true;  ///< rows can be counted from the bottom
+  std::uint8_t brightness_control = 0x24;  ///< what WRCTRLD takes for a brightness by command: block and backlight on
+};
+
 /// A driver of a controller defines these members:
 ///   - kColumns, kRows: size of its memory, with the glass upright
 ///   - pixel_format(format): the parameter of COLMOD, 0 for a format that the controller does not support
 ///   - kSettings: commands for every module, as DcsConfig::module_commands
 ///   - kHasBrightness: true if the controller has a PWM output for a backlight
-///   - kId: the three bytes that read_id(bus, id) reads on a ReadableBus
-///   - kWidens565, only if it is true: the bus takes no pixels of 16 bits, so that rgb565_swapped is sent as rgb666
+///   - kId: the three bytes that read_id(bus, id) reads on a ReadableBus; 0 if it has no read_id
+///   - kTraits, only if it is not usual in something
 template <class T>
 concept DcsController = requires(PixelFormat format) {
   { T::kColumns } -> std::convertible_to<std::uint16_t>;
@@ -68,13 +77,18 @@ concept DcsController = requires(PixelFormat format) {
   { T::kId } -> std::convertible_to<std::uint32_t>;
 };
 
+/// Returns the controller's traits.
+template <DcsController Controller>
+constexpr DcsTraits traits_of() {
+  if constexpr (requires { Controller::kTraits; }) return Controller::kTraits;
+  return {};
+}
+
 /// The format of pixels on the bus of a controller, for pixels of `format`.
 template <DcsController Controller>
 constexpr PixelFormat wire_format(PixelFormat format) {
-  if constexpr (requires { Controller::kWidens565; }) {
-    if (format == PixelFormat::rgb565_swapped) return PixelFormat::rgb666;
-  }
-  return format;
+  const bool widens = traits_of<Controller>().widens_565 && format == PixelFormat::rgb565_swapped;
+  return widens ? PixelFormat::rgb666 : format;
 }
 
 /// Read display ID, 04h: on a serial bus a dummy clock, then three bytes.
@@ -97,7 +111,7 @@ Error read_id4(Bus& bus, std::byte select, std::span<std::byte, 3> id) {
 }
 
 /// A display that shows what is written at once. `bus` and `clock` must outlive it. Any rectangle may be written; with
-/// rgb444 its width must be even (Error::alignment), as two pixels share a byte.
+/// rgb444 its width must be even (Error::alignment), as two pixels share a byte; some controllers want even areas.
 template <DcsController Controller, CommandDataBus Bus, Clock Time>
 class DcsPanel {
  public:
@@ -107,9 +121,9 @@ class DcsPanel {
   /// Resets the controller by command, sets it up, blackens the glass and switches it on. Takes a quarter of a second,
   /// plus the time to send a frame's bytes. May be repeated after an error, best after reset_panel() (output_pin.hpp).
   /// Returns Error::configuration, and sends nothing, if the glass is larger than the controller's memory, the
-  /// controller does not support the format, module_commands end within a command, `id` is set but the bus cannot
-  /// read, or `id` is out of range. Returns Error::wrong_id if the controller answers with another id; it has sent
-  /// only the command that reads the id then.
+  /// controller does not support the format or the orientation, module_commands end within a command, `id` is set but
+  /// the bus cannot read, or `id` is out of range. Returns Error::wrong_id if the controller answers with another id;
+  /// it has sent only the command that reads the id then.
   Error start() {
     if (!valid()) return Error::configuration;
     Error error = checked_id();
@@ -143,10 +157,13 @@ class DcsPanel {
   Error write(const Area& area, std::span<const std::byte> pixels) {
     if (!contains(width(), height(), area)) return Error::area;
     if (config_.format == PixelFormat::rgb444 && area.width % 2 != 0) return Error::alignment;
+    if constexpr (kTraits.even_areas) {
+      if (!is_even(area.left, area.top, area.width, area.height)) return Error::alignment;
+    }
     const std::uint32_t bytes = bytes_per_row(area.width, config_.format) * area.height;
     if (pixels.size() < bytes) return Error::pixels_too_small;
     if (const Error error = set_window(area); error != Error::none) return error;
-    if constexpr (kWidens) {
+    if constexpr (kTraits.widens_565) {
       if (wire_format<Controller>(format()) != format()) return widened_.send(bus_, pixels.first(bytes));
     }
     return bus_.write_data(pixels.first(bytes));
@@ -158,7 +175,7 @@ class DcsPanel {
 
   /// Reads the controller's id, in the form of DcsConfig::id. May be called before start(), from 5 ms after a reset on.
   /// All ones or all zeros: no controller answers, or no wire for answers exists. No transfer may be under way.
-  Error read_id(std::uint32_t& id) requires ReadableBus<Bus> {
+  Error read_id(std::uint32_t& id) requires(ReadableBus<Bus>&& Controller::kId != 0) {
     std::array<std::byte, 3> answer{};
     const Error error = Controller::read_id(bus_, answer);
     id = 0;
@@ -184,8 +201,7 @@ class DcsPanel {
   /// Sets the brightness of a backlight on the controller's own PWM output, which few modules use: 0 dark .. 255. If
   /// the backlight is on a pin of the board, the board sets its brightness.
   Error set_brightness(std::uint8_t level) requires(Controller::kHasBrightness) {
-    constexpr std::uint8_t kControlAndBacklight = 0x24;
-    if (const Error error = command(kBrightnessControl, kControlAndBacklight); error != Error::none) return error;
+    if (const Error error = command(kBrightnessControl, kTraits.brightness_control); error != Error::none) return error;
     return command(kBrightness, level);
   }
 
@@ -212,7 +228,7 @@ class DcsPanel {
   // The time after a reset, or between sleep-out and sleep-in, either way; for other commands 5 ms would be enough.
   static constexpr std::uint32_t kAwakeToReady = 120'000, kAsleepToReady = 120'000;  // us
 
-  static constexpr bool kWidens = requires { Controller::kWidens565; };
+  static constexpr DcsTraits kTraits = traits_of<Controller>();
   struct Nothing {};
 
   constexpr bool valid() const {
@@ -221,8 +237,12 @@ class DcsPanel {
            fits(config_.row_offset, config_.height, Controller::kRows) &&
            Controller::pixel_format(config_.format) != 0 &&
            (config_.format != PixelFormat::rgb444 || width() % 2 == 0) && is_command_list(config_.module_commands) &&
-           (config_.id == 0 || (ReadableBus<Bus> && config_.id < kNobody));
+           (config_.id == 0 || (ReadableBus<Bus> && Controller::kId != 0 && config_.id < kNobody)) &&
+           (kTraits.exchanges || !is_sideways(config_.orientation)) &&
+           (kTraits.reverses_rows || (memory_access() & kReverseRows) == 0) &&
+           (!kTraits.even_areas || is_even(config_.column_offset, config_.width, config_.row_offset, config_.height));
   }
+  static constexpr bool is_even(unsigned a, unsigned b, unsigned c, unsigned d) { return ((a | b | c | d) & 1U) == 0; }
   static_assert(is_command_list(Controller::kSettings));
 
   constexpr std::uint8_t memory_access() const {
@@ -233,7 +253,7 @@ class DcsPanel {
   }
 
   Error checked_id() {
-    if constexpr (ReadableBus<Bus>) {
+    if constexpr (ReadableBus<Bus> && Controller::kId != 0) {
       if (config_.id == 0) return Error::none;
       std::uint32_t found = 0;
       if (const Error error = read_id(found); error != Error::none) return error;
@@ -271,7 +291,7 @@ class DcsPanel {
   Bus& bus_;
   Time& clock_;
   DcsConfig config_;
-  [[no_unique_address]] std::conditional_t<kWidens, Widened, Nothing> widened_{};
+  [[no_unique_address]] std::conditional_t<kTraits.widens_565, Widened, Nothing> widened_{};
 };
 
 }  // namespace zstrip::hal

@@ -12,9 +12,11 @@
 
 namespace zstrip::hal {
 
-/// Sends a command and its parameters; they have arrived when it returns.
+/// Sends a command and its parameters; they have arrived when it returns. A bus whose commands and parameters are one
+/// transfer has a function write_whole() for it (qspi.hpp).
 template <CommandDataBus Bus>
 Error send_command(Bus& bus, std::byte command, std::span<const std::byte> parameters = {}) {
+  if constexpr (requires { bus.write_whole(command, parameters); }) return bus.write_whole(command, parameters);
   if (const Error error = bus.write_command(std::span(&command, 1)); error != Error::none) return error;
   if (parameters.empty()) return Error::none;
   if (const Error error = bus.write_data(parameters); error != Error::none) return error;

@@ -34,18 +34,22 @@ struct Bus {
   Nanoseconds cycle{};
 };
 
-/// Parses "spi@40MHz" or "i2c@400kHz"; without a speed, uses the fastest that the data sheet allows.
+constexpr std::string_view kBusNames[] = {"spi", "i2c", "qspi"};
+
+std::string_view bus_word(BusKind kind) { return kind == BusKind::spi ? "SPI" : kind == BusKind::i2c ? "I2C" : "QSPI"; }
+
+/// Parses "spi@40MHz", "i2c@400kHz" or "qspi@40MHz"; without a speed, uses the fastest that the data sheet allows.
 Result<Bus> parse_bus(const std::string& text, const PanelKind& kind) {
-  constexpr std::string_view kNames[] = {"spi", "i2c"};
   const std::size_t at = text.find('@');
   const std::string name = text.substr(0, at);
-  const auto found = std::ranges::find(kNames, name);
-  if (found == std::end(kNames)) return usage(unknown_name("--bus", name, kNames) + "; for example spi@40MHz");
-  Bus bus{.kind = name == "spi" ? BusKind::spi : BusKind::i2c};
-  if (bus.kind == BusKind::i2c && kind.fastest_i2c == 0ns) {
-    return usage(fmt::format("--bus i2c: the {} has no I2C, only SPI", kind.name));
+  const auto found = std::ranges::find(kBusNames, name);
+  if (found == std::end(kBusNames)) return usage(unknown_name("--bus", name, kBusNames) + "; for example spi@40MHz");
+  Bus bus{.kind = static_cast<BusKind>(found - std::begin(kBusNames))};
+  bus.cycle = kind.fastest(bus.kind);
+  if (bus.cycle == 0ns) {
+    return usage(fmt::format("--bus {}: the {} has no {}, only {}", name, kind.name, bus_word(bus.kind),
+                             bus_word(kind.fastest_spi != 0ns ? BusKind::spi : BusKind::qspi)));
   }
-  bus.cycle = bus.kind == BusKind::spi ? kind.fastest_spi : kind.fastest_i2c;
   if (at == std::string::npos) return bus;
 
   const Result<double> hertz = parse_bus_hertz(text);
@@ -102,7 +106,7 @@ void add_panel_options(CLI::App& command, PanelArguments& arguments) {
       ->type_name("NAME");
   command
       .add_option("--bus", a.bus,
-                  "The panel's bus and its clock: spi@40MHz, i2c@400kHz (default: the fastest it allows)")
+                  "The panel's bus and its clock: spi@40MHz, i2c@400kHz, qspi@50MHz (default: the fastest it allows)")
       ->transform(lower_case())
       ->type_name("BUS");
   command.add_option("--rotation", a.rotation, "Rotates the picture on the panel, clockwise: 0, 90, 180 or 270")
@@ -122,7 +126,7 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
   }
   const Result<const PanelKind*> kind = parse_kind(*arguments.panel);
   if (!kind) return kind.failure();
-  const Result<Bus> bus = parse_bus(arguments.bus.value_or("spi"), **kind);
+  const Result<Bus> bus = parse_bus(arguments.bus.value_or((*kind)->fastest_spi != 0ns ? "spi" : "qspi"), **kind);
   if (!bus) return bus.failure();
   const Result<hal::Rotation> rotation = parse_rotation(arguments.rotation.value_or("0"));
   if (!rotation) return rotation.failure();
@@ -132,6 +136,10 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
                        .format = (*kind)->formats.front(),
                        .bus = bus->kind,
                        .cycle = bus->cycle};
+  if (!has_orientation(**kind, request.orientation)) {
+    return usage(
+        fmt::format("--rotation {}: a {} cannot show a picture so", arguments.rotation.value_or("0"), (*kind)->name));
+  }
   if (size) {
     const Result<PanelModule> module = parse_module(*size, **kind, is_sideways(request.orientation));
     if (!module) return module.failure();
@@ -164,7 +172,7 @@ Result<double> parse_bus_hertz(const std::string& text) {
 
 std::string bus_words(const PanelRequest& request) {
   const double megahertz = 1e3 / static_cast<double>(request.cycle.count());
-  const char* const name = request.bus == BusKind::spi ? "SPI" : "I2C";
+  const std::string_view name = bus_word(request.bus);
   return megahertz < 1 ? fmt::format("{} at {:.4g} kHz", name, megahertz * 1e3)
                        : fmt::format("{} at {:.4g} MHz", name, megahertz);
 }

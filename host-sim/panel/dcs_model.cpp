@@ -42,7 +42,7 @@ void DcsModel::reset() {
   columns_ = {0, part_.columns - 1U};
   rows_ = {0, part_.rows - 1U};
   command_ = nullptr;
-  writing_ = false;
+  writing_ = wrote_ = false;
   next_command_ = now() + part_.reset_to_command;
   next_sleep_out_ = now() + part_.reset_to_sleep_out;
 }
@@ -52,6 +52,28 @@ void DcsModel::interrupted() { excused_ = true; }
 void DcsModel::complain_of(const char* what) { complain(fmt::format("{}, command {:02X}h", what, code_)); }
 
 void DcsModel::receive_byte(Wire wire, std::uint8_t byte) {
+  if (part_.has_qspi) return complain("a byte with D/C, which is not on QSPI");
+  take(wire, byte);
+}
+
+/// 02h: a command and its parameters on one line. 32h: pixels on four, only behind the two commands that write them.
+void DcsModel::execute_phases(std::span<const std::byte> header, std::span<const std::byte> data, unsigned lines) {
+  if (!part_.has_qspi) return PanelModel::execute_phases(header, data, lines);
+  const auto at = [header](std::size_t i) { return std::to_integer<std::uint8_t>(header[i]); };
+  const std::uint8_t opcode = at(0), code = at(2);
+  if (opcode != 0x02 && opcode != 0x32)
+    return complain(fmt::format("the {} has no opcode {:02X}h", part_.name, opcode));
+  if (at(1) != 0 || at(3) != 0) return complain(fmt::format("command {:02X}h is not between two zeros", code));
+  const bool writes = code == 0x2C || code == 0x3C;
+  if (opcode == 0x32 && !writes)
+    return complain(fmt::format("command {:02X}h by opcode 32h, which is for pixels", code));
+  if (lines != (opcode == 0x32 ? 4U : 1U))
+    return complain(fmt::format("opcode {:02X}h with data on {} lines", opcode, lines));
+  take(Wire::command, code);
+  for (const std::byte byte : data) take(Wire::data, std::to_integer<std::uint8_t>(byte));
+}
+
+void DcsModel::take(Wire wire, std::uint8_t byte) {
   if (wire == Wire::command) {
     finish_command();
     begin(byte);
@@ -142,13 +164,22 @@ void DcsModel::parameters_complete() {
     case 0x2B: rows_ = range_of((access_ & kRowColumnExchange) != 0 ? part_.columns : part_.rows, "rows"); break;
     case 0x2C:
       if (asleep_) complain("pixels before sleep-out");
-      writing_ = true;
+      writing_ = wrote_ = true;
       full_ = false;
       column_ = columns_.first;
       row_ = rows_.first;
       bits_ = bit_count_ = 0;
       break;
-    case 0x36: access_ = parameters_[0]; break;
+    case 0x36:
+      access_ = parameters_[0];
+      if ((access_ & ~part_.access) != 0)
+        complain(fmt::format("the {} has no memory access {:02X}h", part_.name, access_));
+      break;
+    case 0x3C:
+      if (!wrote_) complain("pixels go on that never began");
+      writing_ = true;
+      bits_ = bit_count_ = 0;
+      break;
     case 0x37: scroll_ = parameters_[0] * 256U + parameters_[1]; break;
     case 0x38: idle_ = false; break;
     case 0x39: idle_ = true; break;
@@ -185,6 +216,9 @@ DcsModel::Range DcsModel::range_of(unsigned limit, const char* what) {
   const Range range{parameters_[0] * 256U + parameters_[1], parameters_[2] * 256U + parameters_[3]};
   if (range.first > range.last || range.last >= limit) {
     complain(fmt::format("{} {} to {} of {}", what, range.first, range.last, limit));
+  } else if (part_.has_even_windows && (range.first % 2 != 0 || range.last % 2 != 1)) {
+    complain(
+        fmt::format("{} {} to {} do not begin at an even one and end at an odd one", what, range.first, range.last));
   }
   return range;
 }
@@ -242,14 +276,14 @@ std::size_t DcsModel::cell(unsigned column, unsigned row) const { return std::si
 std::string DcsModel::darkness() const {
   if (asleep_) return "the panel is asleep";
   if (!on_) return "the display is off";
+  if (part_.is_lit_by_brightness && brightness() == 0U) return "the brightness is 0";
   return {};
 }
 
-/// WRDISBV has effect while WRCTRLD has its block (BCTRL) and the backlight (BL) on.
+/// WRDISBV has effect while WRCTRLD has its block (BCTRL) and, where there is one, the backlight (BL) on.
 std::optional<unsigned> DcsModel::brightness() const {
-  constexpr unsigned kBlockAndBacklight = 0x24;
   if (find_command(part_, 0x51) == nullptr) return std::nullopt;
-  return (brightness_control_ & kBlockAndBacklight) == kBlockAndBacklight ? brightness_ : 0U;
+  return (brightness_control_ & part_.brightness_bits) == part_.brightness_bits ? brightness_ : 0U;
 }
 
 /// The pixel's centre lies in the largest circle of the glass. Counted in half pixels from the glass's centre.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,8 @@ class DcsModel final : public PanelModel {
   };
 
   void receive_byte(Wire wire, std::uint8_t byte) override;
+  void execute_phases(std::span<const std::byte> header, std::span<const std::byte> data, unsigned lines) override;
+  void take(Wire wire, std::uint8_t byte);
   std::vector<bool> answer(std::uint8_t code) override;
   void reset() override;
   Nanoseconds shortest_reset() const override { return part_.shortest_reset; }
@@ -80,7 +83,7 @@ class DcsModel final : public PanelModel {
   std::uint8_t code_ = 0;
   std::vector<std::uint8_t> parameters_;
   bool excused_ = false;
-  bool writing_ = false;
+  bool writing_ = false, wrote_ = false;
   unsigned column_ = 0, row_ = 0;
   bool full_ = false;
   std::uint32_t bits_ = 0;

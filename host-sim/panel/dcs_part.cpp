@@ -155,6 +155,23 @@ constexpr DcsCommand kIli9488Commands[] = {
     {0xFB, 1, 1},   {0xFC, 2, 2},                                    // SPI read, adjust control 6
 };
 
+constexpr DcsCommand kCo5300Commands[] = {
+    {0x3C, 0, 0},                                            // write memory continue
+    {0x44, 2, 2}, {0x4A, 1, 1}, {0x4F, 1, 1},                // tear scanline, brightness of idle mode, deep standby
+    {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1}, {0x58, 1, 1},  // brightness, control, colours, contrast
+    {0x63, 1, 1}, {0xC4, 1, 1}, {0xFE, 1, 1},                // brightness in bright light, SPI mode, command page
+};
+constexpr DcsCommand kSh8601Commands[] = {
+    {0x3C, 0, 0},                                            // write memory continue
+    {0x44, 2, 2}, {0x4A, 1, 1}, {0x4F, 1, 1},                // tear scanline, brightness of idle mode, deep standby
+    {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1}, {0x58, 1, 1},  // brightness, control, colours, contrast
+    {0x63, 1, 1}, {0xC4, 1, 1},                              // brightness in bright light, SPI mode
+};
+constexpr DcsCommand kSt77916Commands[] = {
+    {0x3C, 0, 0}, {0x44, 2, 2},                // write memory continue, tear scanline
+    {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1},  // brightness, control, content adaptive
+};
+
 // RDDID has a dummy clock on a serial bus; RDID1 to RDID3, of 8 bits, have none. ST7735S: the usual answer of these
 // parts, because the data sheet leaves it to the maker of the module.
 constexpr DcsAnswer kSt7789Answers[] = {
@@ -198,6 +215,62 @@ const DcsPart kIli9342Part{"ILI9342",       320,   240,   100ns,       10us,  5m
 const DcsPart kIli9488Part{"ILI9488",       320,   480,   50ns, 10us,  5ms,
                            120ms,           5ms,   120ms, 0x66, false, kIli9488Commands,
                            kIli9488Answers, 150ns, 0xFB,  {},   false};
+const DcsPart kCo5300Part{.name = "CO5300",
+                          .columns = 480,
+                          .rows = 502,
+                          .shortest_cycle = 20ns,
+                          .shortest_reset = 10us,
+                          .reset_to_command = 5ms,
+                          .reset_to_sleep_out = 120ms,
+                          .sleep_to_command = 5ms,
+                          .between_sleeps = 120ms,
+                          .format_after_reset = 0x77,
+                          .has_12_bits = false,
+                          .own_commands = kCo5300Commands,
+                          .answers = {},
+                          .shortest_read_cycle = 150ns,
+                          .read_index = 0,
+                          .has_qspi = true,
+                          .has_even_windows = true,
+                          .access = 0xCC,
+                          .brightness_bits = 0x20,
+                          .is_lit_by_brightness = true};
+const DcsPart kSh8601Part{.name = "SH8601",
+                          .columns = 368,
+                          .rows = 448,
+                          .shortest_cycle = 20ns,
+                          .shortest_reset = 10us,
+                          .reset_to_command = 5ms,
+                          .reset_to_sleep_out = 120ms,
+                          .sleep_to_command = 5ms,
+                          .between_sleeps = 120ms,
+                          .format_after_reset = 0x77,
+                          .has_12_bits = false,
+                          .own_commands = kSh8601Commands,
+                          .answers = {},
+                          .shortest_read_cycle = 150ns,
+                          .read_index = 0,
+                          .has_qspi = true,
+                          .has_even_windows = true,
+                          .access = 0x48,
+                          .brightness_bits = 0x20,
+                          .is_lit_by_brightness = true};
+const DcsPart kSt77916Part{.name = "ST77916",
+                           .columns = 360,
+                           .rows = 360,
+                           .shortest_cycle = 20ns,
+                           .shortest_reset = 10us,
+                           .reset_to_command = 5ms,
+                           .reset_to_sleep_out = 120ms,
+                           .sleep_to_command = 5ms,
+                           .between_sleeps = 120ms,
+                           .format_after_reset = 0x66,
+                           .has_12_bits = false,
+                           .own_commands = kSt77916Commands,
+                           .answers = {},
+                           .shortest_read_cycle = 150ns,
+                           .read_index = 0,
+                           .has_qspi = true};
 
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code) {
   for (const std::span<const DcsCommand> table : {std::span<const DcsCommand>(kUserCommands), part.own_commands}) {

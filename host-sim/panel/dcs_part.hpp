@@ -1,5 +1,5 @@
-// The differences between the controllers with MIPI's command set, from their data sheets; for GC9A01, ST7796, ILI9342
-// and ILI9488 from what public drivers say of these.
+// The differences between the controllers with MIPI's command set, from their data sheets; for those from GC9A01 on
+// from what public drivers say of these.
 #pragma once
 
 #include <array>
@@ -51,6 +51,11 @@ struct DcsPart {
   /// Unlock commands, in this order. Once unlocked, a key's command with other parameters locks them again.
   std::span<const DcsKey> keys{};
   bool has_16_bits = true;
+  bool has_qspi = false;  ///< instead of a bus with D/C
+  bool has_even_windows = false;
+  std::uint8_t access = 0xFF;           ///< bits of the memory access control that it has
+  std::uint8_t brightness_bits = 0x24;  ///< of the control, which let a command set the brightness
+  bool is_lit_by_brightness = false;    ///< dark as long as the brightness is 0, as AMOLED
 };
 
 extern const DcsPart kSt7789Part;
@@ -61,6 +66,9 @@ extern const DcsPart kGc9a01Part;
 extern const DcsPart kSt7796Part;
 extern const DcsPart kIli9342Part;
 extern const DcsPart kIli9488Part;
+extern const DcsPart kCo5300Part;
+extern const DcsPart kSh8601Part;
+extern const DcsPart kSt77916Part;
 
 /// Returns the command with this code, or nullptr.
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code);

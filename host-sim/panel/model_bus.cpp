@@ -37,7 +37,31 @@ hal::Error ModelBus::write_data(std::span<const std::byte> bytes) {
 hal::Error ModelBus::wait() {
   if (!is_sending_) return hal::Error::none;
   is_sending_ = false;
-  return send(Wire::data, sending_);
+  return lines_ != 0 ? send_phases() : send(Wire::data, sending_);
+}
+
+hal::Error ModelBus::write(std::span<const std::byte, 4> header, std::span<const std::byte> data, unsigned lines) {
+  if (is_sending_) panel_.driver_broke("a transfer while another is under way");
+  if (lines != 1 && lines != 4) panel_.driver_broke("data on other than 1 or 4 lines");
+  std::ranges::copy(header, header_.begin());
+  sending_ = data;
+  lines_ = lines;
+  is_sending_ = true;
+  return hal::Error::none;
+}
+
+hal::Error ModelBus::send_phases() {
+  const bool fails = transfers_++ == fail_at_;
+  const std::span<const std::byte> data = sending_.first(fails ? sending_.size() * quarters_ / 4 : sending_.size());
+  const std::size_t cycles = 8 * header_.size() + 8 * data.size() / lines_;
+  const Nanoseconds time = cycles * timing_.cycle;
+  panel_.elapse(time);
+  if (!fails || quarters_ != 0) panel_.receive_phases(header_, data, lines_);
+  bytes_ += header_.size() + data.size();
+  busy_ += time;
+  lines_ = 0;
+  if (fails) panel_.interrupted();
+  return fails ? hal::Error::bus : hal::Error::none;
 }
 
 hal::Error ModelBus::read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer) {

@@ -1,6 +1,7 @@
 // The wires between a driver and the model of a panel: a command/data bus with a speed, which sets the model's time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -8,6 +9,7 @@
 #include "panel/panel_model.hpp"
 #include "zstrip_hal/bus.hpp"
 #include "zstrip_hal/clock.hpp"
+#include "zstrip_hal/qspi.hpp"
 
 namespace zstrip::sim {
 
@@ -30,6 +32,8 @@ class ModelBus {
   hal::Error write_command(std::span<const std::byte> bytes);
   hal::Error write_data(std::span<const std::byte> bytes);
   hal::Error wait();
+  /// Transfers on QSPI: `header` on one line, then `data` on 1 or 4. They are taken in wait(), too.
+  hal::Error write(std::span<const std::byte, 4> header, std::span<const std::byte> data, unsigned lines);
   /// At most 2 MHz: buses read slowly from panels that can be written to faster than they answer.
   hal::Error read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer);
   void wait(std::uint32_t microseconds);
@@ -48,11 +52,14 @@ class ModelBus {
 
  private:
   hal::Error send(Wire wire, std::span<const std::byte> bytes);
+  hal::Error send_phases();
 
   PanelModel& panel_;
   BusTiming timing_;
   std::span<const std::byte> sending_;
   bool is_sending_ = false;
+  std::array<std::byte, 4> header_{};
+  unsigned lines_ = 0;  // of the data of a transfer on QSPI; 0: it is none
   std::uint64_t bytes_ = 0;
   Nanoseconds busy_{};
   int fail_at_ = -1;
@@ -62,6 +69,7 @@ class ModelBus {
 };
 
 static_assert(hal::ReadableBus<ModelBus>);
+static_assert(hal::QuadSpi<ModelBus>);
 static_assert(hal::Clock<ModelBus>);
 
 }  // namespace zstrip::sim

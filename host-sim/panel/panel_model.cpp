@@ -14,6 +14,16 @@ void PanelModel::receive(Wire wire, std::span<const std::byte> bytes) {
   for (const std::byte byte : bytes) receive_byte(wire, std::to_integer<std::uint8_t>(byte));
 }
 
+void PanelModel::receive_phases(std::span<const std::byte> header, std::span<const std::byte> data, unsigned lines) {
+  if (in_reset_) return complain("bytes while the reset line is low");
+  execute_phases(header, data, lines);
+}
+
+void PanelModel::execute_phases(std::span<const std::byte> /*header*/, std::span<const std::byte> /*data*/,
+                                unsigned /*lines*/) {
+  complain("a transfer on QSPI, which this part does not have");
+}
+
 void PanelModel::clocked_at(Nanoseconds cycle) {
   if (cycle >= shortest_cycle()) return;
   complain(fmt::format("the bus sends a bit in {} ns, the controller's data sheet requires at least {} ns",

@@ -39,6 +39,8 @@ class PanelModel {
   Nanoseconds now() const { return now_; }
   /// Receives bytes, at the time now().
   void receive(Wire wire, std::span<const std::byte> bytes);
+  /// Receives a transfer on QSPI, at the time now(): `header` on one line, `data` on `lines`.
+  void receive_phases(std::span<const std::byte> header, std::span<const std::byte> data, unsigned lines);
   /// Sets the time of one bit on the bus, once; complains if the data sheet requires more.
   void clocked_at(Nanoseconds cycle);
   /// Receives a command, then runs the clock for so many bits, of `cycle` each. Returns the levels of the panel's data
@@ -70,6 +72,8 @@ class PanelModel {
 
  protected:
   virtual void receive_byte(Wire wire, std::uint8_t byte) = 0;
+  /// Executes a transfer on QSPI. Most parts have none.
+  virtual void execute_phases(std::span<const std::byte> header, std::span<const std::byte> data, unsigned lines);
   /// Returns all bits of the answer to the last command, including dummy clocks. Most parts have no output on a serial
   /// bus.
   virtual std::vector<bool> answer(std::uint8_t command);

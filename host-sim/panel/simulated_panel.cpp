@@ -7,20 +7,24 @@
 #include <vector>
 
 #include "panel/dcs_model.hpp"
+#include "panel/on_qspi.hpp"
 #include "panel/ssd0323_model.hpp"
 #include "panel/ssd1306_model.hpp"
 #include "panel/ssd1351_model.hpp"
 #include "panel/ssd1680_model.hpp"
+#include "zstrip_hal/co5300.hpp"
 #include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/ili9342.hpp"
 #include "zstrip_hal/ili9488.hpp"
+#include "zstrip_hal/sh8601.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
 #include "zstrip_hal/ssd1680.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
+#include "zstrip_hal/st77916.hpp"
 #include "zstrip_hal/st7796.hpp"
 
 namespace zstrip::sim {
@@ -36,6 +40,9 @@ constexpr PanelModule kGc9a01Modules[] = {{240, 240, 0, 0, true}};
 constexpr PanelModule kSt7796Modules[] = {{320, 480, 0, 0}};
 constexpr PanelModule kIli9342Modules[] = {{320, 240, 0, 0}};
 constexpr PanelModule kIli9488Modules[] = {{320, 480, 0, 0}};
+constexpr PanelModule kCo5300Modules[] = {{466, 466, 6, 0, true}, {410, 502, 22, 0}, {280, 456, 20, 0}};
+constexpr PanelModule kSh8601Modules[] = {{368, 448, 0, 0}};
+constexpr PanelModule kSt77916Modules[] = {{360, 360, 0, 0, true}};
 constexpr PanelModule kSsd1351Modules[] = {{128, 128, 0, 0}, {128, 96, 0, 0}};
 constexpr PanelModule kSsd1306Modules[] = {{128, 64, 0, 0}, {128, 32, 0, 0}, {64, 48, 32, 0}};
 constexpr PanelModule kSsd0323Modules[] = {{128, 64, 0, 0}};
@@ -49,12 +56,20 @@ constexpr PixelFormat kMono[] = {PixelFormat::mono};
 constexpr std::span<const PixelFormat> kAll(kColours);
 
 constexpr PanelKind kKinds[] = {
-    {"st7789", kSt7789Modules, kAll, 66ns, 0ns},          {"ili9341", kIli9341Modules, kAll.first(2), 100ns, 0ns},
-    {"st7735", kSt7735Modules, kAll, 66ns, 0ns},          {"gc9a01", kGc9a01Modules, kAll.first(2), 10ns, 0ns},
-    {"st7796", kSt7796Modules, kAll.first(2), 66ns, 0ns}, {"ili9342", kIli9342Modules, kAll.first(2), 100ns, 0ns},
-    {"ili9488", kIli9488Modules, kWideFirst, 50ns, 0ns},  {"ssd1351", kSsd1351Modules, kAll.first(1), 50ns, 0ns},
-    {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns},   {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
+    {"st7789", kSt7789Modules, kAll, 66ns, 0ns},
+    {"ili9341", kIli9341Modules, kAll.first(2), 100ns, 0ns},
+    {"st7735", kSt7735Modules, kAll, 66ns, 0ns},
+    {"gc9a01", kGc9a01Modules, kAll.first(2), 10ns, 0ns},
+    {"st7796", kSt7796Modules, kAll.first(2), 66ns, 0ns},
+    {"ili9342", kIli9342Modules, kAll.first(2), 100ns, 0ns},
+    {"ili9488", kIli9488Modules, kWideFirst, 50ns, 0ns},
+    {"ssd1351", kSsd1351Modules, kAll.first(1), 50ns, 0ns},
+    {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns},
+    {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
     {"ssd1680", kSsd1680Modules, kMono, 50ns, 0ns},
+    {"co5300", kCo5300Modules, kAll.first(1), 0ns, 0ns, 20ns},
+    {"sh8601", kSh8601Modules, kAll.first(1), 0ns, 0ns, 20ns},
+    {"st77916", kSt77916Modules, kAll.first(1), 0ns, 0ns, 20ns},
 };
 
 /// Owns the objects that the driver refers to.
@@ -90,7 +105,6 @@ class PanelOf final : public SimulatedPanel {
 /// `Display` is the driver of a panel with MIPI's commands, with bus and clock as its parameters.
 template <template <class, class> class Display, class Controller>
 std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const DcsPart& part, hal::DcsConfig config) {
-  using Driver = Display<ModelBus, ModelBus>;
   config.width = request.module.width;
   config.height = request.module.height;
   config.column_offset = request.module.column_offset;
@@ -107,8 +121,14 @@ std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const Dcs
                     .bgr = config.bgr,
                     .inverted = config.inverted,
                     .is_round = request.module.is_round};
-  return std::make_unique<PanelOf<Driver>>(std::make_unique<DcsModel>(part, glass),
-                                           timing_of(request.bus, request.cycle),
+  auto model = std::make_unique<DcsModel>(part, glass);
+  const BusTiming timing = timing_of(request.bus, request.cycle);
+  if (part.has_qspi) {
+    return std::make_unique<PanelOf<OnQspi<Display>>>(
+        std::move(model), timing, [&config](ModelBus& bus) { return OnQspi<Display>(bus, config); });
+  }
+  using Driver = Display<ModelBus, ModelBus>;
+  return std::make_unique<PanelOf<Driver>>(std::move(model), timing,
                                            [&config](ModelBus& bus) { return Driver(bus, bus, config); });
 }
 
@@ -135,7 +155,7 @@ std::unique_ptr<SimulatedPanel> ssd1306_panel(const PanelRequest& request) {
                            .height = request.module.height,
                            .column_offset = request.module.column_offset,
                            .com_alternating = alternating};
-  const Nanoseconds fastest = request.bus == BusKind::i2c ? request.kind->fastest_i2c : request.kind->fastest_spi;
+  const Nanoseconds fastest = request.kind->fastest(request.bus);
   return std::make_unique<PanelOf<Driver>>(std::make_unique<Ssd1306Model>(glass, fastest),
                                            timing_of(request.bus, request.cycle),
                                            [&config](ModelBus& bus) { return Driver(bus, config); });
@@ -181,7 +201,7 @@ std::unique_ptr<SimulatedPanel> ssd1680_panel(const PanelRequest& request) {
 std::span<const PanelKind> panel_kinds() { return kKinds; }
 
 BusTiming timing_of(BusKind bus, Nanoseconds cycle) {
-  if (bus == BusKind::spi) return {.byte = 8 * cycle, .transfer = 0ns, .cycle = cycle};
+  if (bus != BusKind::i2c) return {.byte = 8 * cycle, .transfer = 0ns, .cycle = cycle};
   // Each byte has an acknowledge bit. Start, address and control byte come before them, stop comes after them.
   return {.byte = 9 * cycle, .transfer = (1 + 9 + 9 + 1) * cycle, .cycle = cycle};
 }
@@ -206,10 +226,28 @@ std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
   if (name == "ili9342") {
     return dcs_panel<hal::Ili9342, hal::Ili9342Controller>(request, kIli9342Part, hal::kIli9342Module320x240);
   }
+  if (name == "co5300") {
+    return dcs_panel<hal::Co5300, hal::Co5300Controller>(request, kCo5300Part, hal::kCo5300Module466x466);
+  }
+  if (name == "sh8601") {
+    return dcs_panel<hal::Sh8601, hal::Sh8601Controller>(request, kSh8601Part, hal::kSh8601Module368x448);
+  }
+  if (name == "st77916") {
+    return dcs_panel<hal::St77916, hal::St77916Controller>(request, kSt77916Part, hal::kSt77916Module360x360);
+  }
   if (name == "ili9488") {
     return dcs_panel<hal::Ili9488, hal::Ili9488Controller>(request, kIli9488Part, hal::kIli9488Module320x480);
   }
   return dcs_panel<hal::St7789, hal::St7789Controller>(request, kSt7789Part, hal::kSt7789Module240x240);
+}
+
+bool has_orientation(const PanelKind& kind, const hal::Orientation& orientation) {
+  const std::string_view name = kind.name;
+  const hal::DcsTraits traits = name == "co5300"   ? hal::Co5300Controller::kTraits
+                                : name == "sh8601" ? hal::Sh8601Controller::kTraits
+                                                   : hal::DcsTraits{};
+  const hal::Scan scan = scan_of(orientation);
+  return (traits.exchanges || !scan.exchanged) && (traits.reverses_rows || !scan.rows_reversed);
 }
 
 std::uint16_t row_step(const PanelRequest& request) {
@@ -217,6 +255,7 @@ std::uint16_t row_step(const PanelRequest& request) {
   const std::string_view name = request.kind->name;
   if (name == "ssd1306" && !sideways) return hal::Ssd1306<ModelBus>::kRowStep;
   if (name == "ssd0323" && sideways) return hal::Ssd0323<ModelBus>::kRowStep;
+  if (name == "co5300" || name == "sh8601") return hal::Co5300<ModelBus, ModelBus>::kRowStep;
   return 1;
 }
 

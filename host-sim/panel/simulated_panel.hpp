@@ -14,7 +14,7 @@
 
 namespace zstrip::sim {
 
-enum class BusKind : std::uint8_t { spi, i2c };
+enum class BusKind : std::uint8_t { spi, i2c, qspi };
 
 /// A module on the market: a controller and its glass, upright.
 struct PanelModule {
@@ -30,8 +30,14 @@ struct PanelKind {
   const char* name;
   std::span<const PanelModule> modules;       ///< the first one is the usual one
   std::span<const hal::PixelFormat> formats;  ///< the first one is the usual one
-  Nanoseconds fastest_spi;                    ///< time of a bit, from its data sheet
+  Nanoseconds fastest_spi;                    ///< time of a cycle, from its data sheet; 0: it has no SPI
   Nanoseconds fastest_i2c;                    ///< 0: it has no I2C
+  Nanoseconds fastest_qspi{};                 ///< 0: it has no QSPI
+
+  /// Returns the time of a cycle on this bus, 0 if it has none.
+  constexpr Nanoseconds fastest(BusKind bus) const {
+    return bus == BusKind::spi ? fastest_spi : bus == BusKind::i2c ? fastest_i2c : fastest_qspi;
+  }
 };
 
 std::span<const PanelKind> panel_kinds();
@@ -72,6 +78,9 @@ static_assert(hal::Display<SimulatedPanel>);
 
 /// Returns a panel 120 ms after power-on, not started.
 std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request);
+
+/// Returns false if the controller cannot rotate or mirror a picture so.
+bool has_orientation(const PanelKind& kind, const hal::Orientation& orientation);
 
 /// Returns the number of rows whose multiples are the borders of strips; the picture's last row may end a strip, too.
 std::uint16_t row_step(const PanelRequest& request);

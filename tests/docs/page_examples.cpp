@@ -29,6 +29,10 @@ struct Pin {
 struct InputLine {
   zstrip::hal::Error read(bool& high);
 };
+struct QuadWires {
+  zstrip::hal::Error write(std::span<const std::byte, 4> header, std::span<const std::byte> data, unsigned lines);
+  zstrip::hal::Error wait();
+};
 struct OpenDrain {
   zstrip::hal::Error pull_low();
   zstrip::hal::Error release();
@@ -112,6 +116,11 @@ int drawn() {
 
 int rotated() {
   // docs/panels.md: Rotated
+  return 0;
+}
+
+int on_qspi() {
+  // docs/panels.md: QSPI
   return 0;
 }
 

@@ -84,7 +84,7 @@ TEST_F(PanelCommand, TheBusTakesTheTimeOfItsBytes) {
 
 TEST_F(PanelCommand, EveryPanelShowsFrames) {
   for (const char* panel : {"st7789", "ili9341", "st7735", "gc9a01", "st7796", "ili9342", "ili9488", "ssd1351",
-                            "ssd1306", "ssd0323", "ssd1680"}) {
+                            "ssd1306", "ssd0323", "ssd1680", "co5300", "sh8601", "st77916"}) {
     const Outcome outcome = zstrip({"-o", panel, "--frames", "2", "--panel", panel});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "") << panel;
@@ -100,6 +100,11 @@ TEST_F(PanelCommand, SaysWhatCannotBeAndWhatIsNearest) {
       {{"--panel", ""}, "did you mean"},
       {{"--panel", "ssd1306", "--bus", "i2x"}, "did you mean i2c?"},
       {{"--panel", "st7735", "--bus", "i2c"}, "no I2C"},
+      {{"--panel", "st7735", "--bus", "qspi"}, "no QSPI, only SPI"},
+      {{"--panel", "co5300", "--bus", "spi@40MHz"}, "no SPI, only QSPI"},
+      {{"--panel", "co5300", "--strip-rows", "7"}, "multiples of 2"},
+      {{"--panel", "co5300", "--rotation", "90"}, "a co5300 cannot show"},
+      {{"--panel", "sh8601", "--rotation", "180"}, "a sh8601 cannot show"},
       {{"--panel", "st7735", "--bus", "spi@"}, "spi@40MHz"},
       {{"--panel", "st7735", "--bus", "spi@nanMHz"}, "spi@40MHz"},
       {{"--panel", "st7735", "--bus", "spi@-1MHz"}, "spi@40MHz"},

@@ -7,18 +7,22 @@
 
 #include "panel/dcs_model.hpp"
 #include "panel/model_bus.hpp"
+#include "panel/on_qspi.hpp"
 #include "panel/ssd0323_model.hpp"
 #include "panel/ssd1306_model.hpp"
 #include "panel/ssd1351_model.hpp"
+#include "zstrip_hal/co5300.hpp"
 #include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/ili9342.hpp"
 #include "zstrip_hal/ili9488.hpp"
+#include "zstrip_hal/sh8601.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
+#include "zstrip_hal/st77916.hpp"
 #include "zstrip_hal/st7796.hpp"
 
 namespace zstrip::panels {
@@ -93,6 +97,50 @@ using Ili9342 = Dcs<hal::Ili9342<sim::ModelBus, sim::ModelBus>, sim::kIli9342Par
                     PixelFormat::rgb666>;
 using Ili9488 = Dcs<hal::Ili9488<sim::ModelBus, sim::ModelBus>, sim::kIli9488Part, PixelFormat::rgb565_swapped,
                     PixelFormat::rgb666>;
+/// On QSPI, with even offsets and areas where the part wants them, and the orientations that it has.
+template <template <class, class> class Display, const sim::DcsPart& part>
+struct QspiDcs {
+  using Driver = sim::OnQspi<Display>;
+  using Config = hal::DcsConfig;
+  static std::string name() { return part.name; }
+
+  static std::vector<Config> configs() {
+    std::vector<Config> all;
+    for (const Orientation& orientation : kOrientations) {
+      if ((access_of(orientation) & ~part.access) != 0) continue;
+      for (const unsigned wiring : {0U, 4U, 8U}) {
+        all.push_back({.width = 34,
+                       .height = 22,
+                       .column_offset = 6,
+                       .row_offset = 10,
+                       .orientation = orientation,
+                       .bgr = (wiring & 4) != 0,
+                       .inverted = (wiring & 8) != 0});
+      }
+    }
+    all.push_back({.width = part.columns, .height = part.rows});
+    return all;
+  }
+  static Step step(const Config& /*config*/) { return part.has_even_windows ? Step{2, 2} : Step{}; }
+  static std::unique_ptr<sim::DcsModel> model(const Config& config) {
+    return std::make_unique<sim::DcsModel>(part, sim::Glass{.width = config.width,
+                                                            .height = config.height,
+                                                            .column_offset = config.column_offset,
+                                                            .row_offset = config.row_offset,
+                                                            .bgr = config.bgr,
+                                                            .inverted = config.inverted});
+  }
+  static Driver driver(sim::ModelBus& bus, const Config& config) { return Driver(bus, config); }
+
+ private:
+  static unsigned access_of(const Orientation& orientation) {
+    const hal::Scan scan = scan_of(orientation);
+    return (scan.rows_reversed ? 0x80U : 0U) | (scan.columns_reversed ? 0x40U : 0U) | (scan.exchanged ? 0x20U : 0U);
+  }
+};
+using Co5300 = QspiDcs<hal::Co5300, sim::kCo5300Part>;
+using Sh8601 = QspiDcs<hal::Sh8601, sim::kSh8601Part>;
+using St77916 = QspiDcs<hal::St77916, sim::kSt77916Part>;
 
 struct Ssd1351 {
   using Driver = hal::Ssd1351<sim::ModelBus>;

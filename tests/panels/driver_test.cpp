@@ -37,8 +37,8 @@ std::vector<Area> areas_of(std::uint16_t width, std::uint16_t height, const Step
 
 template <class C>
 class PanelDriver : public testing::Test {};
-using Controllers =
-    testing::Types<St7789, Ili9341, St7735, St7735Gm11, Gc9a01, St7796, Ili9342, Ili9488, Ssd1351, Ssd1306, Ssd0323>;
+using Controllers = testing::Types<St7789, Ili9341, St7735, St7735Gm11, Gc9a01, St7796, Ili9342, Ili9488, Co5300,
+                                   Sh8601, St77916, Ssd1351, Ssd1306, Ssd0323>;
 struct Names {
   template <class C>
   static std::string GetName(int /*index*/) {
@@ -143,7 +143,8 @@ Error present_picture(Bench<C>& bench, const Picture& picture, bool two_buffers)
 TYPED_TEST(PanelDriver, StripsInTurnFromOneBufferAndFromTwo) {
   std::mt19937 random(3);
   const auto configs = TypeParam::configs();
-  for (std::size_t index = 0; index < configs.size(); index += configs.size() / 8) {  // each orientation
+  for (std::size_t index = 0; index < configs.size();
+       index += std::max<std::size_t>(1, configs.size() / 8)) {  // each orientation
     Bench<TypeParam> bench(configs[index]);
     ASSERT_EQ(bench.display.start(), Error::none);
     for (const bool two : {false, true}) {

@@ -60,7 +60,8 @@ export const kSettings = [
   },
   {
     name: 'panel', label: 'Panel', option: '--panel', kind: 'choice', isRare: true,
-    choices: ['', 'st7789', 'ili9341', 'st7735', 'gc9a01', 'st7796', 'ili9342', 'ili9488', 'ssd1351', 'ssd1306', 'ssd0323', 'ssd1680'],
+    choices: ['', 'st7789', 'ili9341', 'st7735', 'gc9a01', 'st7796', 'ili9342', 'ili9488', 'co5300', 'sh8601', 'st77916', 'ssd1351', 'ssd1306', 'ssd0323',
+      'ssd1680'],
     none: 'none: the pixels alone',
     tip: 'The driver sends the picture to a model of this controller; it is shown as its glass would be.'
   },
