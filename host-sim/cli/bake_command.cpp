@@ -169,6 +169,7 @@ BakeRecord describe(const BakeArguments& arguments, const Stage& stage, const Ba
                     .skin_ram = skin_ram(baked.skins),
                     .edges_left_out = baked.edges_left_out};
   if (model != nullptr) record.accuracy = model->accuracy;
+  if (model != nullptr) record.shrunk = model->shrunk;
   if (model != nullptr && model->reduced) {
     const double length = model->reduced->error * model->units.scale;
     record.reduced = ReducedTriangles{*model->reduced, length * pixels_of_unit(baked.camera, baked.view)};

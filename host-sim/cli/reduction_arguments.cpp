@@ -28,7 +28,7 @@ void add_reduction_options(CLI::App& command, ReductionArguments& arguments) {
   command
       .add_option(
           "--texture-size", arguments.texture_size,
-          "Limit for the longer side of a model's textures, a power of two from 1 to 2048; larger textures are halved")
+          "Limit for the longer side of a model's textures, a power of two from 1 to 2048; larger textures are shrunk")
       ->type_name("N");
   command
       .add_option("--triangles", arguments.triangles,

@@ -93,7 +93,8 @@ class Composer {
         continue;
       }
       const Texcoords texcoords = materials_.may_texture(entry.name) ? Texcoords::all : Texcoords::of_textures;
-      Result<Model> model = import_model(file_.beside(entry.file), entry.up, texcoords, BackFaces::as_front);
+      Result<Model> model =
+          import_model(file_.beside(entry.file), entry.up, texcoords, BackFaces::as_front, {}, entry.reduction);
       if (!model) return at_line(file_.path, entry.file_line, model.failure().message);
       composed_->models.push_back(std::move(*model));
       for (const std::string& warning : composed_->models.back().warnings) {

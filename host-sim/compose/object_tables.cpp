@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "compose/scene_tables.hpp"
 #include "compose/table_values.hpp"
+#include "image/resample.hpp"
 #include "motion/fitted_animation.hpp"
 
 namespace zstrip::sim {
@@ -25,6 +27,7 @@ constexpr std::pair<std::string_view, bool> kLayers[] = {{"static", true}, {"mov
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {{"linear", Interpolation::linear},
                                                                           {"step", Interpolation::step}};
 
+constexpr int kMaxTriangleLimit = 1'000'000'000;
 constexpr double kFade = 0.25;  // seconds, from one clip to the next
 
 template <typename Value>
@@ -83,7 +86,16 @@ FileModel read_model_table(TomlTable& table) {
     clip.finish();
   }
   if (table.has("clip") && table.has("animation")) table.wrong("animation", "give either 'animation' or 'clip'");
-  for (const char* key : {"up", "animation", "clip"}) {
+  if (const auto side = table.integer("texture_size", 1, kMaxTextureSide)) {
+    model.reduction.texture_side = static_cast<std::uint32_t>(*side);
+    if (!std::has_single_bit(model.reduction.texture_side)) {
+      table.wrong("texture_size", "'texture_size' must be a power of two");
+    }
+  }
+  if (const auto triangles = table.integer("triangles", 1, kMaxTriangleLimit)) {
+    model.reduction.triangles = static_cast<std::uint64_t>(*triangles);
+  }
+  for (const char* key : {"up", "animation", "clip", "texture_size", "triangles"}) {
     if (table.has("built_in") && table.has(key)) table.wrong(key, fmt::format("'{}' goes with 'file'", key));
   }
   table.finish();

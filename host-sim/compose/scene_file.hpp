@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compose/csg_expression.hpp"
+#include "import/reduction.hpp"
 #include "import/source_model.hpp"
 #include "motion/affine.hpp"
 #include "motion/node_tree.hpp"
@@ -80,6 +81,7 @@ struct FileModel {
   std::optional<std::string> animation;
   int animation_line = 0;
   std::vector<FileClip> clips{};  ///< instead of `animation`; empty: none
+  Reduction reduction{};          ///< keys `texture_size` and `triangles`
 };
 
 /// [[material]]: values that are set replace those of the model's material.

@@ -72,17 +72,24 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
     tell_step(fmt::format("removing triangles of '{}'", file));
     for (SourceMesh& mesh : source.meshes) weld(mesh);
     reduced = remove_triangles(source, reduction);
+    for (std::size_t i = source.meshes.size(); i-- > 0;) {
+      if (!source.meshes[i].indices.empty()) continue;
+      source.meshes.erase(source.meshes.begin() + static_cast<std::ptrdiff_t>(i));
+      outsides.erase(outsides.begin() + static_cast<std::ptrdiff_t>(i));
+    }
     if (!reduced->keeps_limit) {
       source.warnings.push_back(
-          fmt::format("{} are left, more than asked for: borders of meshes, seams of textures and "
-                      "triangles across which colours change stay",
+          fmt::format("{} are left, more than asked for: three or more materials, directions of a face or parts of a "
+                      "texture meet at their vertices",
                       counted(reduced->triangles, "triangle")));
+    } else if (reduced->slides) {
+      source.warnings.push_back(
+          "so few triangles take vertices at which colours, joints or the texture change: they may slide visibly");
     }
   }
   if (back_faces == BackFaces::lit_alike) split_sides(source, outsides);
   if (source.meshes.size() > kMaxMeshes) return named(kTooManyMeshes);
-  for (RgbImage& texture : source.textures) texture = resample_to_power_of_two(std::move(texture));
-  if (reduction.texture_side > 0) shrink_textures(source, reduction.texture_side);
+  const Shrunk shrunk = fit_textures(source, reduction.texture_side);
 
   tell_step(fmt::format("merging the vertices of '{}'", file));
   std::vector<MeshTraits> traits;
@@ -117,6 +124,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
   Result<Model> model = quantise(source, traits);
   if (!model) return named(model.failure().message);
   model->reduced = reduced;
+  if (reduction.texture_side > 0) model->shrunk = shrunk;
   return model;
 }
 

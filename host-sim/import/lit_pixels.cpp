@@ -6,17 +6,14 @@
 #include <cmath>
 
 #include "import/quantise.hpp"
+#include "motion/affine.hpp"
 
 namespace zstrip::sim {
 namespace {
 
-using Vector = std::array<double, 3>;
-
 struct Lit {
   Vector place, normal;
 };
-
-double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Returns the light that arrives, of the brightest channel, as zstrip/scene.hpp defines PunctualLight.
 double arriving(const PunctualLight& light, const Lit& at) {

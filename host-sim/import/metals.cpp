@@ -27,12 +27,6 @@ Direction along(const Direction& v) {
 
 constexpr std::array<std::uint8_t, 3> kUntinted{255, 255, 255};
 
-/// The inverse of to_screen_channel for linear channels.
-double to_linear(std::uint8_t channel) {
-  const double value = channel / 255.0;
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 /// Rises from 0 to 1 between two values.
 double rise(double value, double from, double to) {
   const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
@@ -122,7 +116,7 @@ RgbImage studio_map(unsigned exponent, const std::array<std::uint8_t, 3>& colour
         weights += weight;
       }
       for (const std::uint8_t channel : colour) {
-        map.rgb.push_back(to_screen_channel(to_linear(channel) * sum / weights, true));
+        map.rgb.push_back(to_screen_channel(from_screen_channel(channel) * sum / weights, true));
       }
     }
   }

@@ -91,6 +91,7 @@ class Model {
   Units units;
   Accuracy accuracy;
   std::optional<Reduced> reduced;     ///< if triangles were to be removed
+  std::optional<Shrunk> shrunk;       ///< if textures were limited
   double outlying = 1;                ///< as outlying_of()
   std::vector<std::string> warnings;  ///< features that are missing in the picture, one line each
 };

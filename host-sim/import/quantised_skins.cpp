@@ -51,16 +51,6 @@ std::vector<SourceBox> boxes_of_joints(const SourceModel& source, const SourceMe
 
 bool is_empty(const SourceBox& box) { return box.low[0] > box.high[0]; }
 
-/// Returns the maps from all joints to the file's coordinates.
-std::vector<Affine> places_of(const SourceModel& source, const NodeAnimation* animation, double seconds) {
-  std::vector<Affine> places;
-  for (const SourceJoint& joint : source.joints) {
-    const Affine parent = joint.parent == kNoSourceJoint ? Affine{} : places[joint.parent];
-    places.push_back(joint.node == kNoNode ? parent : parent * source.nodes.local(animation, joint.node, seconds));
-  }
-  return places;
-}
-
 std::int16_t to_15_bits(double value) { return static_cast<std::int16_t>(std::lround(32767 * value)); }
 
 /// Returns false if the pose is out of range.
@@ -107,12 +97,21 @@ bool are_far_apart(const std::vector<Affine>& from, const std::vector<Affine>& t
 
 }  // namespace
 
+std::vector<Affine> joint_places(const SourceModel& source, const NodeAnimation* animation, double seconds) {
+  std::vector<Affine> places;
+  for (const SourceJoint& joint : source.joints) {
+    const Affine parent = joint.parent == kNoSourceJoint ? Affine{} : places[joint.parent];
+    places.push_back(joint.node == kNoNode ? parent : parent * source.nodes.local(animation, joint.node, seconds));
+  }
+  return places;
+}
+
 SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
   SourceBox box{kLowest, kHighest};
   for (const SourceVertex& vertex : mesh.vertices) include(box, place_of(source, vertex));
   const std::vector<SourceBox> boxes = boxes_of_joints(source, mesh);
   const auto include_pose = [&](const NodeAnimation* animation, double seconds) {
-    std::vector<Affine> places = places_of(source, animation, seconds);
+    std::vector<Affine> places = joint_places(source, animation, seconds);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       if (!is_empty(boxes[i]))
         for_each_corner(boxes[i], [&](const Vector& corner) { include(box, places[i] * corner); });
@@ -159,7 +158,7 @@ Result<Done> set_joints(const SourceModel& source, Model& model) {
     return Failure{ExitStatus::input, "has joints that are too far away, or too large or small beside what they move"};
   };
   // An armature's own scale, often 1/100, would leave few significant bits in a matrix.
-  const std::vector<Affine> at_rest = places_of(source, nullptr, 0);
+  const std::vector<Affine> at_rest = joint_places(source, nullptr, 0);
   for (std::size_t i = 0; i < source.joints.size(); ++i) {
     const double size = std::cbrt(std::abs(determinant(at_rest[i])));
     model.joint_nodes.push_back({.parent = source.joints[i].parent, .node = source.joints[i].node, .size = size});

@@ -14,6 +14,9 @@ struct SourceBox {
   std::array<double, 3> low{}, high{};
 };
 
+/// Returns the maps from all joints to the file's coordinates; `animation`: null at rest.
+std::vector<Affine> joint_places(const SourceModel& source, const NodeAnimation* animation, double seconds);
+
 /// Returns the box of a mesh with a skin: as it was modelled, at rest, and at many times of every animation. The box of
 /// each joint's vertices is moved with the joint, so that a pose between these times can leave the box only by the
 /// joint's motion within 1/60 s.

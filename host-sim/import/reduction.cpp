@@ -1,132 +1,142 @@
-// Makes a model smaller before it is converted: halves textures, removes triangles.
+// Makes a model smaller before it is converted: shrinks textures, removes triangles.
 #include "import/reduction.hpp"
 
-#include <meshoptimizer.h>
-
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "image/resample.hpp"
-#include "import/surface.hpp"
+#include "import/area_filter.hpp"
+#include "import/moving_body.hpp"
+#include "import/quantised_skins.hpp"
 
 namespace zstrip::sim {
 namespace {
 
-using Indices = std::vector<std::uint32_t>;
-
-/// The largest difference of a colour's channel across a triangle that may be removed.
-constexpr int kSameColour = 24;
-
-bool changes_colour(const SourceMesh& mesh, std::size_t triangle) {
-  for (std::size_t channel = 0; channel < 4; ++channel) {
-    const auto at = [&](std::size_t corner) {
-      return int{mesh.vertices[mesh.indices[triangle + corner]].colour[channel]};
-    };
-    const auto [low, high] = std::minmax({at(0), at(1), at(2)});
-    if (high - low > kSameColour) return true;
+/// Returns the mean length in the file, at rest, of a unit of the mesh's vertices.
+double unit_of(const SourceModel& model, const SourceMesh& mesh, const std::vector<Affine>& joints) {
+  if (!mesh.has_skin) return 1;
+  std::vector<bool> used(model.joints.size());
+  for (const SourceVertex& vertex : mesh.vertices) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (vertex.weights[i] > 0) used[vertex.joints[i]] = true;
+    }
   }
-  return false;
+  double largest = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    const auto& m = (joints[i] * model.joints[i].inverse_bind).m;
+    const double volume = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                          m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    largest = std::max(largest, std::cbrt(std::abs(volume)));
+  }
+  return std::isfinite(largest) && largest > 0 ? largest : 1;
 }
 
-/// A mesh whose triangles are removed.
-class Simplified {
- public:
-  explicit Simplified(const SourceMesh& mesh) : mesh_(mesh) {
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-      Indices& indices = mesh.has_colours && changes_colour(mesh, i) ? kept_ : free_;
-      indices.insert(indices.end(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(i),
-                     mesh.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
-    }
-    scale_ =
-        double{meshopt_simplifyScale(mesh.vertices[0].position.data(), mesh.vertices.size(), sizeof(SourceVertex))};
-    result_ = mesh.indices;
+/// Groups the meshes that move together.
+std::vector<MovingBody> bodies_of(const SourceModel& model) {
+  const std::vector<Affine> joints = joint_places(model, nullptr, 0);
+  struct Group {
+    std::vector<std::size_t> meshes;
+    double unit = 1;
+  };
+  constexpr int kUnitsOfTwo = 4;  // units that differ by less than a fifth are the same
+  std::map<std::tuple<bool, std::int32_t, long>, Group> groups;
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    const SourceMesh& mesh = model.meshes[i];
+    if (mesh.indices.empty()) continue;
+    const double unit = unit_of(model, mesh, joints);
+    Group& group = groups[{mesh.has_skin, mesh.node, std::lround(kUnitsOfTwo * std::log2(unit))}];
+    group.meshes.push_back(i);
+    group.unit = unit;
   }
+  std::vector<MovingBody> bodies;
+  for (auto& [key, group] : groups) bodies.emplace_back(model, std::move(group.meshes), group.unit);
+  MovingBody::keep_shared_borders(bodies);
+  return bodies;
+}
 
-  double scale() const { return scale_; }
-  std::size_t triangles() const { return result_.size() / 3; }
-  double error() const { return error_; }
-  Indices& result() { return result_; }
+std::uint64_t triangles_of(const std::vector<MovingBody>& bodies) {
+  std::uint64_t sum = 0;
+  for (const MovingBody& body : bodies) sum += body.triangles();
+  return sum;
+}
 
-  /// Removes as much as `error`, a length, allows. A mesh never vanishes.
-  void simplify(double error) {
-    Indices left(free_.size());
-    float reached = 0;
-    if (!free_.empty() && scale_ > 0) {
-      left.resize(meshopt_simplify(left.data(), free_.data(), free_.size(), mesh_.vertices[0].position.data(),
-                                   mesh_.vertices.size(), sizeof(SourceVertex), 0, static_cast<float>(error / scale_),
-                                   meshopt_SimplifyLockBorder, &reached));
-    }
-    if (left.size() + kept_.size() == 0) return;
-    left.insert(left.end(), kept_.begin(), kept_.end());
-    result_ = std::move(left);
-    error_ = double{reached} * scale_;
+double error_of(const std::vector<MovingBody>& bodies) {
+  double error = 0;
+  for (const MovingBody& body : bodies) error = std::max(error, body.error());
+  return error;
+}
+
+/// Simplifies by the smallest error, in even steps of its logarithm, whose result keeps the limit. Returns false, and
+/// removes what it can, if there is none.
+bool simplify(std::vector<MovingBody>& bodies, Held held, std::uint64_t limit) {
+  constexpr double kSmallest = 1e-6;
+  constexpr int kSteps = 10;
+  double largest = 0;
+  for (MovingBody& body : bodies) {
+    body.hold(held);
+    largest = std::max(largest, body.size());
   }
-
- private:
-  const SourceMesh& mesh_;
-  Indices free_, kept_;
-  double scale_ = 0;
-  Indices result_;
-  double error_ = 0;
-};
+  const auto keeps_limit = [&](double error) {
+    for (MovingBody& body : bodies) body.simplify(error);
+    return triangles_of(bodies) <= limit;
+  };
+  if (!keeps_limit(largest)) return false;
+  double low = std::log(largest * kSmallest), high = std::log(largest);
+  for (int step = 0; step < kSteps; ++step) {
+    const double middle = (low + high) / 2;
+    (keeps_limit(std::exp(middle)) ? high : low) = middle;
+  }
+  return keeps_limit(std::exp(high));
+}
 
 }  // namespace
 
-void shrink_textures(SourceModel& model, std::uint32_t side) {
+Shrunk fit_textures(SourceModel& model, std::uint32_t side) {
+  Shrunk shrunk;
   for (RgbImage& texture : model.textures) {
-    while (std::max(texture.width, texture.height) > side) {
-      texture = halve(texture, texture.width > 1, texture.height > 1);
+    // The sides that a texture gets without a limit.
+    std::uint32_t width = std::min(std::bit_ceil(texture.width), kMaxTextureSide);
+    std::uint32_t height = std::min(std::bit_ceil(texture.height), kMaxTextureSide);
+    if (side == 0 || std::max(width, height) <= side) {
+      texture = resample_to_power_of_two(std::move(texture));
+      continue;
     }
+    ++shrunk.textures;
+    shrunk.texels_before += std::uint64_t{width} * height;
+    for (; std::max(width, height) > side; height = std::max(height / 2, 1U)) width = std::max(width / 2, 1U);
+    shrunk.texels += std::uint64_t{width} * height;
+    texture = shrink(texture, width, height);
   }
+  return shrunk;
 }
 
 Reduced remove_triangles(SourceModel& model, const Reduction& reduction) {
-  std::vector<Simplified> meshes;
-  meshes.reserve(model.meshes.size());
+  constexpr double kDearer = 2;  // times the error that what changes visibly may cost to stay
   Reduced reduced;
-  double largest = 0;
-  for (const SourceMesh& mesh : model.meshes) {
-    meshes.emplace_back(mesh);
-    reduced.triangles_before += meshes.back().triangles();
-    largest = std::max(largest, meshes.back().scale());
-  }
-  const auto count = [&] {
-    std::uint64_t sum = 0;
-    for (const Simplified& mesh : meshes) sum += mesh.triangles();
-    return sum;
-  };
+  for (const SourceMesh& mesh : model.meshes) reduced.triangles_before += mesh.indices.size() / 3;
   std::uint64_t limit = reduced.triangles_before;
   if (reduction.triangles > 0) limit = std::min(limit, reduction.triangles);
   if (reduction.triangle_share < 1) {
     limit = std::min(limit, static_cast<std::uint64_t>(
                                 std::ceil(static_cast<double>(reduced.triangles_before) * reduction.triangle_share)));
   }
-  const auto keeps_limit = [&](double error) {
-    for (Simplified& mesh : meshes) mesh.simplify(error);
-    return count() <= limit;
-  };
-  if (count() > limit && largest > 0) {
-    // The smallest error, in even steps of its logarithm, whose result keeps the limit.
-    constexpr double kSmallest = 1e-6;
-    constexpr int kSteps = 10;
-    double low = std::log(largest * kSmallest), high = std::log(largest);
-    if (keeps_limit(largest)) {
-      for (int step = 0; step < kSteps; ++step) {
-        const double middle = (low + high) / 2;
-        (keeps_limit(std::exp(middle)) ? high : low) = middle;
-      }
-      keeps_limit(std::exp(high));
-    }
-  }
-  reduced.triangles = count();
-  reduced.keeps_limit = reduced.triangles <= limit;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    reduced.error = std::max(reduced.error, meshes[i].error());
-    model.meshes[i].indices = std::move(meshes[i].result());
-    weld(model.meshes[i]);
-  }
+  reduced.triangles = reduced.triangles_before;
+  if (reduced.triangles <= limit) return reduced;
+  std::vector<MovingBody> bodies = bodies_of(model);
+  std::vector<MovingBody> held = bodies;
+  reduced.keeps_limit = simplify(bodies, Held::shared_borders, limit);
+  reduced.slides = !simplify(held, Held::all, limit) || error_of(held) > kDearer * error_of(bodies);
+  if (!reduced.slides) bodies = std::move(held);
+  reduced.triangles = triangles_of(bodies);
+  reduced.error = error_of(bodies);
+  for (const MovingBody& body : bodies) body.write_to(model);
   return reduced;
 }
 

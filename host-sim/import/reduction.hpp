@@ -1,6 +1,7 @@
-// Makes a model smaller before it is converted: halves textures, removes triangles.
+// Makes a model smaller before it is converted: shrinks textures, removes triangles.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "import/source_model.hpp"
@@ -20,15 +21,27 @@ struct Reduction {
 struct Reduced {
   std::uint64_t triangles_before = 0, triangles = 0;  ///< of the file; back faces that become meshes are not counted
   bool keeps_limit = true;
+  bool slides = false;  ///< vertices went at which colours, joints or the texture change visibly
   double error = 0;  ///< how far the surface moved at most, by the simplifier's measure, in the units of the vertices
 };
 
-/// Halves the sides of each texture, whose sides are powers of two, until the longer one is at most `side`.
-void shrink_textures(SourceModel& model, std::uint32_t side);
+/// The textures that were made smaller than without a limit.
+struct Shrunk {
+  std::size_t textures = 0;
+  std::uint64_t texels_before = 0, texels = 0;  ///< of these textures; before: without a limit
+};
 
-/// Removes vertices where the surface changes least, from all meshes by the same error, until the limit of triangles is
-/// kept or nothing more can be removed. Vertices at the borders of a mesh stay, and so do triangles across which vertex
-/// colours change; seams of texture coordinates and creases stay closed. Expects welded meshes with normals.
+/// Makes the sides of all textures powers of two, at most kMaxTextureSide. `side`, a power of two: textures whose
+/// longer side would be longer get sides that are halved until it is not, and each texel the mean of its area; 0:
+/// unlimited.
+Shrunk fit_textures(SourceModel& model, std::uint32_t side);
+
+/// Removes vertices where the surface changes least, from all meshes by the same error in the file's units, until the
+/// limit of triangles is kept or nothing more can be removed. What moves together is one surface: edges that two
+/// triangles share stay shared, across meshes and seams of texture coordinates, too. Flat faces stay flat. Vertices
+/// stay where open borders of what moves differently meet; and, unless that takes more than twice the error, where
+/// colours or joints change across a triangle, or the texture would slide visibly. Meshes may end up without triangles.
+/// Expects welded meshes with normals.
 Reduced remove_triangles(SourceModel& model, const Reduction& reduction);
 
 }  // namespace zstrip::sim

@@ -99,6 +99,13 @@ std::string reduced_line(const BakeRecord& record) {
                      record.reduced->pixels);
 }
 
+std::string shrunk_line(const BakeRecord& record) {
+  if (!record.shrunk) return "";
+  if (record.shrunk->textures == 0) return "  shrunk     no texture: none has a longer side\n";
+  return fmt::format("  shrunk     {}, {} of {} are left\n", counted(record.shrunk->textures, "texture"),
+                     grouped(record.shrunk->texels), counted(record.shrunk->texels_before, "texel"));
+}
+
 std::string effect_lines(const BakeRecord& record) {
   std::string text;
   for (const FoundEffect& found : record.effects) {
@@ -126,7 +133,7 @@ std::string bake_summary(const BakeRecord& record) {
   std::string text = fmt::format("{}: {} in {}, {}, {}\n", printable(record.scene),
                                  counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
                                  counted(counts.instances, "instance"), counted(record.materials, "material"));
-  text += reduced_line(record);
+  text += reduced_line(record) + shrunk_line(record);
   text += fmt::format("  flash      {}\n", counted(record.flash.total(), "byte")) + flash_lines(record);
   text += palette_lines(record);
   text += mipmap_lines(record);
@@ -205,6 +212,11 @@ std::string bake_json(const BakeRecord& record) {
                          {"triangles", reduced->in_file.triangles},
                          {"error", reduced->in_file.error},
                          {"error_pixels", reduced->pixels}};
+  }
+  object["shrunk"] = nullptr;
+  if (const auto& shrunk = record.shrunk) {
+    object["shrunk"] = {
+        {"textures", shrunk->textures}, {"texels_before", shrunk->texels_before}, {"texels", shrunk->texels}};
   }
   object["palettes"] = Json::array();
   for (const PaletteRecord& palette : record.palettes) {

@@ -60,6 +60,7 @@ struct BakeRecord {
   std::uint64_t palettes_would_save = 0;     ///< bytes of texels, without loss
   std::optional<ClippingRecord> clipping{};  ///< of a header
   std::optional<ReducedTriangles> reduced{};
+  std::optional<Shrunk> shrunk{};
   std::size_t edges_left_out = 0;  ///< that its motion never shows
 };
 

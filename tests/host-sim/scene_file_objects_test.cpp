@@ -48,6 +48,21 @@ TEST(SceneFile, ClipsOfAModel) {
             std::string::npos);
 }
 
+TEST(SceneFile, ModelsThatAreMadeSmaller) {
+  const std::string model = "[[model]]\nname = 'a'\nfile = 'a.glb'\n", use = "[[instance]]\nmodel = 'a'\n";
+  const SceneFile file = parsed(model + "texture_size = 64\ntriangles = 500\n" + use);
+  EXPECT_EQ(file.models[0].reduction.texture_side, 64U);
+  EXPECT_EQ(file.models[0].reduction.triangles, 500U);
+  EXPECT_EQ(failure(model + "texture_size = 100\n" + use),
+            "'scene.toml' line 4: [[model]]: 'texture_size' must be a power of two");
+  for (const char* wrong : {"texture_size = 0", "texture_size = 4096", "texture_size = '64'", "triangles = 0",
+                            "triangles = -1", "triangles = 1.5", "triangles = 9223372036854775807"}) {
+    EXPECT_TRUE(failure(model + wrong + "\n" + use).starts_with("'scene.toml' line 4: [[model]]: 't")) << wrong;
+  }
+  EXPECT_EQ(failure("[[model]]\nname = 'a'\nbuilt_in = 'teapot'\ntriangles = 50\n" + use),
+            "'scene.toml' line 4: [[model]]: 'triangles' goes with 'file'");
+}
+
 /// It was told that 'end' is less than 'start'.
 TEST(SceneFile, FogWithoutItsEnd) {
   EXPECT_EQ(failure(kCube + "[fog]\nstart = 2\n"),
