@@ -22,9 +22,10 @@ struct BoardModel {
   double core_mhz;
   Flash flash{};
   std::uint32_t ram_bytes;
-  double spi_mhz;           ///< fastest clock with which the chip drives a display
-  bool dma;                 ///< the bus sends while the core draws; without it the core waits
-  std::uint32_t cores = 1;  ///< number of equal cores; one of them draws unless more are requested
+  std::uint32_t flash_bytes = 0;  ///< for code and scenes; 0: outside of the chip, modules differ
+  double spi_mhz;                 ///< fastest clock with which the chip drives a display
+  bool dma;                       ///< the bus sends while the core draws; without it the core waits
+  std::uint32_t cores = 1;        ///< number of equal cores; one of them draws unless more are requested
   /// With a model of the core one number: the predicted cycles of K5M and CT (docs/measured/performance.md, "Boards")
   /// divided by the instructions that a Cortex-M3 counts for such plans. It is the mean of both; each differs from it
   /// by up to a quarter. For a board without a model it is an assumption.
@@ -33,6 +34,13 @@ struct BoardModel {
 
 /// RAM that arena and pixels cannot use: the renderer, other statics and the stack, rounded up from docs/memory.md.
 inline constexpr std::uint32_t kReservedRam = 4096;
+
+/// Returns the flash that a board keeps for code: half of it, at most 64 KB, an assumption. Minimal programs take 10 to
+/// 35 KB (docs/measured/flash.md), and each effect some more.
+constexpr std::uint32_t reserved_flash(const BoardModel& board) {
+  constexpr std::uint32_t kMost = 64 * 1024;
+  return board.flash_bytes / 2 < kMost ? board.flash_bytes / 2 : kMost;
+}
 
 /// Boards that have a model of the core come first.
 std::span<const BoardModel> board_models();

@@ -38,6 +38,7 @@ Result<FitChoice> measured(const BakeArguments& arguments, const BoardModel& boa
   FitChoice choice{.arguments = arguments,
                    .textures = {},
                    .triangles = {},
+                   .smoothing = {},
                    .flash = record.flash.total(),
                    .ram = std::uint64_t{baked.plan.bytes()} +
                           std::uint64_t{record.strip_buffers} * baked.plan.strip_pixel_bytes(baked.view) +
@@ -104,6 +105,22 @@ std::string texture_words(const BakeArguments& arguments) {
   return side + (arguments.textures == "palette8" ? ", 256 colours" : ", 16 colours");
 }
 
+/// "edges", "4 samples", "no".
+std::string smoothing_words(const ViewArguments& view) {
+  const std::uint32_t samples = view.samples.value_or(1);
+  if (samples == 1) return view.edges.value_or(false) ? "edges" : "no";
+  return fmt::format("{} samples{}", samples, view.edges.value_or(false) ? ", edges" : "");
+}
+
+/// Returns the picture's options as given, and without edges and samples if they were asked for.
+std::vector<ViewArguments> smoothings(const ViewArguments& given) {
+  ViewArguments plain = given;
+  if (plain.edges) plain.edges = false;
+  if (plain.samples) plain.samples = 1;
+  if (smoothing_words(plain) == smoothing_words(given)) return {given};
+  return {given, plain};
+}
+
 /// Keeps the choices that no other one beats, and puts the best looking one first.
 void keep_front(std::vector<FitChoice>& choices) {
   std::vector<Respects> respects;
@@ -128,16 +145,18 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
   std::vector<std::uint32_t> sides{0};
   std::vector<const char*> shares{""};
   std::vector<const char*> palettes{"rgb565"};
+  const std::vector<ViewArguments> views = smoothings(base.plan.view);
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<Failure> refused;
   for (std::size_t s = 0; s < shares.size(); ++s) {
     for (std::size_t t = 0; t < sides.size(); ++t) {
       std::unique_ptr<Stage> stage;
-      for (std::size_t p = 0; p < palettes.size(); ++p) {
+      for (std::size_t p = 0; p < palettes.size() * views.size(); ++p) {
         BakeArguments arguments = base;
+        arguments.plan.view = views[p / palettes.size()];
         if (*shares[s] != '\0') arguments.camera.reduction.triangles = shares[s];
         if (sides[t] != 0) arguments.camera.reduction.texture_size = std::to_string(sides[t]);
-        arguments.textures = palettes[p];
+        arguments.textures = palettes[p % palettes.size()];
         std::optional<FitChoice> choice;
         // The memory does not limit the first choice, because the others are compared with it.
         const bool is_whole = found.tried == 0;
@@ -162,7 +181,8 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
           if (count(staging->scene).triangles >= kFewTriangles) shares.assign(std::begin(kShares), std::end(kShares));
         }
         const Result<Done> done = bake(arguments, &trial);
-        progress(++found.tried, static_cast<std::uint32_t>(shares.size() * sides.size() * palettes.size()));
+        progress(++found.tried,
+                 static_cast<std::uint32_t>(shares.size() * sides.size() * palettes.size() * views.size()));
         if (!done) {
           if (done.failure().status != ExitStatus::budget) return done.failure();
           refused = done.failure();
@@ -170,6 +190,7 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
         }
         choice->textures = texture_words(arguments);
         choice->triangles = *shares[s] == '\0' ? "all" : shares[s];
+        choice->smoothing = smoothing_words(arguments.plan.view);
         compare(*choice, found.whole);
         const Excess excess = excess_of(*choice, limits);
         if (excess.factor <= 1) {

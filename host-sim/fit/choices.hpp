@@ -15,7 +15,7 @@
 namespace zstrip::sim {
 
 struct FitLimits {
-  std::optional<std::uint64_t> flash;  ///< bytes of the scene
+  std::optional<std::uint64_t> flash;  ///< bytes of the scene, without code
   std::uint64_t ram = 0;               ///< bytes of arena, strip buffers and skins
   std::optional<double> frames;        ///< a second, the least of the estimate
 };
@@ -23,7 +23,7 @@ struct FitLimits {
 /// The model with one combination of options.
 struct FitChoice {
   BakeArguments arguments;
-  std::string textures, triangles;  ///< the options in words
+  std::string textures, triangles, smoothing;  ///< the options in words; smoothing: of edges
   std::uint64_t flash = 0, ram = 0, triangle_count = 0;
   BoardRate rate;
   double rms = 0;         ///< of a channel's difference to the whole model, 0 to 255

@@ -20,6 +20,7 @@
 #include "cli/nearest_name.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
+#include "cli/picture_arguments.hpp"
 #include "cli/print.hpp"
 #include "cli/sibling_program.hpp"
 #include "fit/fit_report.hpp"
@@ -33,7 +34,7 @@ namespace {
 
 struct Arguments {
   std::string scene, board;
-  std::string size = "240x240", format = "rgb565_swapped";
+  ViewArguments view{.size = "240x240", .format = "rgb565_swapped"};
   CameraArguments camera;
   std::optional<std::string> flash, ram, output, html, json;
   std::optional<double> frames;
@@ -56,6 +57,8 @@ Result<FitLimits> parse_limits(const Arguments& arguments, const BoardModel& boa
     const Result<std::uint32_t> bytes = parse_bytes(*arguments.flash, "--flash");
     if (!bytes) return bytes.failure();
     limits.flash = *bytes;
+  } else if (board.flash_bytes > 0) {
+    limits.flash = board.flash_bytes - reserved_flash(board);
   }
   if (arguments.ram) {
     const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
@@ -73,8 +76,7 @@ BakeArguments whole_bake(const Arguments& arguments, const BoardModel& board, co
   BakeArguments whole;
   whole.scene = arguments.scene;
   whole.output = arguments.output.value_or("scene.zsc");
-  whole.plan.view.size = arguments.size;
-  whole.plan.view.format = arguments.format;
+  whole.plan.view = arguments.view;
   whole.plan.memory.ram = std::to_string(limits.ram);
   whole.plan.strip_buffers = board.dma ? 2 : 1;
   whole.camera = arguments.camera;
@@ -164,15 +166,21 @@ void add_fit_command(CLI::App& app, int& exit_code) {
       ->add_option("--board", a.board, fmt::format("The board that it is for: {}", fmt::join(names_of_boards(), ", ")))
       ->required()
       ->type_name("NAME");
-  command->add_option("--size", a.size, "Size of the picture")
+  command->add_option("--size", a.view.size, "Size of the picture (default: 240x240)")
       ->transform(lower_case())
-      ->type_name("WxH")
-      ->capture_default_str();
-  command->add_option("--format", a.format, "Pixels of the display")
-      ->transform(lower_case())
-      ->type_name("FORMAT")
-      ->capture_default_str();
-  command->add_option("--flash", a.flash, "Bytes of the scene at most, K and M allowed (default: any)")
+      ->type_name("WxH");
+  add_quality_options(*command, a.view);
+  command->get_option("--format")
+      ->description("Pixels of the display: rgb565_swapped (default), rgb565, gray4, mono, rgb666, rgb444, xrgb8888");
+  for (const char* option : {"--samples", "--edges"}) {
+    CLI::Option* const added = command->get_option(option);
+    added->description(added->get_description() + "; pictures without are tried, too");
+  }
+  command
+      ->add_option(
+          "--flash", a.flash,
+          "Bytes of the scene at most, without code, K and M allowed (default: the board's, less half of it or "
+          "64K for code; where flash is outside of the chip, any)")
       ->type_name("BYTES");
   command
       ->add_option("--ram", a.ram, "Bytes of arena, strip buffers and skins at most (default: the board's, less 4,096)")
@@ -194,6 +202,7 @@ void add_fit_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Exit status 5 where nothing fits; the message says what comes nearest, and which limit it breaks.\nExamples:\n"
       "  zstrip fit truck.glb --board pico --flash 1M --html sheet.html\n"
+      "  zstrip fit truck.glb --board bluepill --size 160x128 --samples 4\n"
       "  zstrip fit truck.glb --board pico --flash 512K --fps 20 --choose 3 -o truck.zsc\n"
       "  zstrip fit truck.glb --board pico -o truck.uf2");
   command->callback([arguments, &exit_code] {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "fit/bake_words.hpp"
 #include "image/rgb_png.hpp"
 #include "text/html.hpp"
 #include "text/number.hpp"
@@ -30,18 +31,19 @@ double percent_off(const FitChoice& choice) {
 std::string fit_table(const FitSearch& found, const BoardModel& board, std::size_t chosen) {
   std::string text = fmt::format("{} combinations tried for {}; {} of those that fit beat all others in something\n",
                                  grouped(found.tried), board.description, grouped(found.choices.size()));
-  text += fmt::format("{:>5}  {:<18} {:>9} {:>10} {:>11} {:>9} {:>11} {:>6} {:>7}\n", "", "textures", "triangles", "",
-                      "flash", "RAM", "frames/s", "rms", "off");
+  text += fmt::format("{:>5}  {:<18} {:>9} {:>10}  {:<11} {:>11} {:>9} {:>11} {:>6} {:>7}\n", "", "textures",
+                      "triangles", "", "smooth", "flash", "RAM", "frames/s", "rms", "off");
   for (std::size_t i = 0; i < found.choices.size(); ++i) {
     const FitChoice& choice = found.choices[i];
-    text +=
-        fmt::format("{:>2} {:>2}  {:<18} {:>9} {:>10} {:>11} {:>9} {:>11} {:>6.2f} {:>5.1f} %\n",
-                    i == chosen ? "->" : "", i + 1, choice.textures, choice.triangles, grouped(choice.triangle_count),
-                    grouped(choice.flash), grouped(choice.ram), choice.rate.words(), choice.rms, percent_off(choice));
+    text += fmt::format("{:>2} {:>2}  {:<18} {:>9} {:>10}  {:<11} {:>11} {:>9} {:>11} {:>6.2f} {:>5.1f} %\n",
+                        i == chosen ? "->" : "", i + 1, choice.textures, choice.triangles,
+                        grouped(choice.triangle_count), choice.smoothing, grouped(choice.flash), grouped(choice.ram),
+                        choice.rate.words(), choice.rms, percent_off(choice));
   }
   return text +
          "Frames a second are an estimate; rms and pixels off by more than 24 of 255 are against the whole "
-         "model.\n";
+         "model. To bake the choice again:\n  " +
+         printable(shell_line(bake_words(found.choices[chosen].arguments))) + '\n';
 }
 
 std::string fit_json(const FitSearch& found, const BoardModel& board, std::size_t chosen) {
@@ -57,7 +59,10 @@ std::string fit_json(const FitSearch& found, const BoardModel& board, std::size_
                 {"ram_bytes", choice.ram},
                 {"frames_per_second", {choice.rate.least, choice.rate.most}},
                 {"rms", choice.rms},
-                {"pixels_off", choice.off}};
+                {"pixels_off", choice.off},
+                {"samples", choice.arguments.plan.view.samples.value_or(1)},
+                {"edges", choice.arguments.plan.view.edges.value_or(false)},
+                {"bake", bake_words(choice.arguments)}};
     if (reduction.texture_size) one["texture_size"] = std::stoi(*reduction.texture_size);
     choices.push_back(std::move(one));
   }
@@ -84,12 +89,12 @@ Result<std::string> fit_page(const FitSearch& found, const BoardModel& board, st
   for (std::size_t i = 0; i < found.choices.size(); ++i) {
     const FitChoice& choice = found.choices[i];
     const std::string words = fmt::format(
-        "{}{}: textures {}\n{} ({})\nflash {}, RAM {}\n{} frames/s\nrms {:.2f}, {:.1f} % of the pixels off by more "
+        "{}{}: textures {}\n{} ({}){}\nflash {}, RAM {}\n{} frames/s\nrms {:.2f}, {:.1f} % of the pixels off by more "
         "than "
         "24",
         i + 1, i == chosen ? ", chosen" : "", choice.textures, counted(choice.triangle_count, "triangle"),
-        choice.triangles, grouped(choice.flash), grouped(choice.ram), choice.rate.words(), choice.rms,
-        percent_off(choice));
+        choice.triangles, choice.smoothing == "no" ? "" : ", " + choice.smoothing, grouped(choice.flash),
+        grouped(choice.ram), choice.rate.words(), choice.rms, percent_off(choice));
     if (const Result<Done> done = add(choice.picture, i == chosen ? " class=\"chosen\"" : "", words); !done) {
       return done.failure();
     }

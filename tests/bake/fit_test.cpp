@@ -40,25 +40,51 @@ TEST_F(Fit, ATexturedModelFitsAFlashThatItDidNotFitAndLooksAlike) {
   EXPECT_EQ(page.find("http"), std::string::npos) << "it needs no other file";
 }
 
-TEST_F(Fit, MemoryIsThatOfTheBakeOfTheSameOptions) {
+TEST_F(Fit, TheBakeThatEachChoiceNamesTakesItsFlashAndItsRam) {
   const std::string model = sphere();
-  const Json found = fit(model, {"--ram", "24K", "--choose", "2", "-o", "scene.hpp"});
+  const Json found = fit(
+      model, {"--ram", "24K", "--choose", "2", "-o", "scene.hpp", "--edges", "--orbit", "5,-20,70", "--light=-1,1,1"});
   EXPECT_EQ(found.at("chosen"), 2);
-  const Json& choice = found.at("choices").at(1);
-  std::vector<std::string> options{
-      "bake",           model,   "-o",  "same.hpp",        "--size", "160x160",    "--format",
-      "rgb565_swapped", "--ram", "24K", "--strip-buffers", "2",      "--textures", choice.at("textures")};
-  if (!choice.at("texture_size").is_null()) {
-    options.insert(options.end(), {"--texture-size", std::to_string(choice.at("texture_size").get<int>())});
+  const std::string chosen = read(path("scene.hpp"));
+  ASSERT_GE(found.at("choices").size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Json& choice = found.at("choices").at(i);
+    const Json baked = report(choice.at("bake").get<std::vector<std::string>>());
+    EXPECT_EQ(read(path("scene.hpp")) == chosen, i == 1);
+    EXPECT_EQ(choice.at("flash_bytes"), baked.at("flash_bytes").at("total"));
+    const Json& ram = baked.at("plan").at("ram_bytes");
+    const std::uint64_t bytes = ram.at("arena").get<std::uint64_t>() + 2 * ram.at("strip_pixels").get<std::uint64_t>();
+    EXPECT_EQ(choice.at("ram_bytes"), bytes);
+    EXPECT_LE(bytes, 24 * 1024U);
   }
-  options.insert(options.end(), {"--triangles", choice.at("triangles_option")});
-  const Json baked = report(options);
-  EXPECT_EQ(read(path("same.hpp")), read(path("scene.hpp")));
-  EXPECT_EQ(choice.at("flash_bytes"), baked.at("flash_bytes").at("total"));
-  const Json& ram = baked.at("plan").at("ram_bytes");
-  const std::uint64_t bytes = ram.at("arena").get<std::uint64_t>() + 2 * ram.at("strip_pixels").get<std::uint64_t>();
-  EXPECT_EQ(choice.at("ram_bytes"), bytes);
-  EXPECT_LE(bytes, 24 * 1024U);
+}
+
+TEST_F(Fit, EdgesAndSamplesAreLeftOffWhereTheyDoNotFit) {
+  const std::string model = sphere();
+  const auto has = [](const Json& found, const char* key, const Json& value) {
+    return std::ranges::any_of(found.at("choices"), [&](const Json& choice) { return choice.at(key) == value; });
+  };
+  const Json samples = fit(model, {"--samples", "4"});
+  EXPECT_TRUE(has(samples, "samples", 4));
+  EXPECT_TRUE(has(samples, "samples", 1)) << "faster";
+  const double rate = samples.at("choices").at(0).at("frames_per_second").at(0);
+  const Json fast = fit(model, {"--samples", "4", "--fps", std::to_string(rate * 1.5)});
+  EXPECT_TRUE(has(fast, "samples", 1));
+  const Json edges = fit(model, {"--edges", "--flash", "200K"});
+  EXPECT_TRUE(has(edges, "edges", true));
+  EXPECT_TRUE(has(edges, "edges", false));
+}
+
+TEST_F(Fit, TheFlashOfTheBoardIsTheLimitWhereNoneIsGiven) {
+  texture("colours.tga", 256);
+  const std::string model = textured_sphere(24, 12);
+  const Json found = report({"fit", model, "--board", "bluepill", "--size", "64x48"});
+  for (const Json& choice : found.at("choices")) EXPECT_LE(choice.at("flash_bytes"), 32 * 1024);
+}
+
+TEST_F(Fit, TheSameModelGivesTheSameChoices) {
+  const std::string model = sphere();
+  EXPECT_EQ(fit(model, {"--flash", "24K", "-o", "a.zsc"}), fit(model, {"--flash", "24K", "-o", "a.zsc"}));
 }
 
 TEST_F(Fit, WhatFitsNothingSaysWhichLimitAndHowNear) {
