@@ -38,8 +38,8 @@ inline constexpr std::uint32_t kReservedRam = 4096;
 /// Returns the flash that a board keeps for code: half of it, at most 64 KB, an assumption. Minimal programs take 10 to
 /// 35 KB (docs/measured/flash.md), and each effect some more.
 constexpr std::uint32_t reserved_flash(const BoardModel& board) {
-  constexpr std::uint32_t kMost = 64 * 1024;
-  return board.flash_bytes / 2 < kMost ? board.flash_bytes / 2 : kMost;
+  constexpr std::uint32_t kMaxReserved = 64 * 1024;
+  return board.flash_bytes / 2 < kMaxReserved ? board.flash_bytes / 2 : kMaxReserved;
 }
 
 /// Boards that have a model of the core come first.

@@ -14,7 +14,7 @@ bool is_plain(std::string_view word) {
   return !word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos;
 }
 
-std::string quoted(std::string_view word) {
+std::string shell_word(std::string_view word) {
   if (is_plain(word)) return std::string(word);
   std::string text = "'";
   for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
@@ -63,7 +63,7 @@ std::vector<std::string> bake_words(const BakeArguments& arguments) {
 
 std::string shell_line(const std::vector<std::string>& words) {
   std::string line = "zstrip";
-  for (const std::string& word : words) line += ' ' + quoted(word);
+  for (const std::string& word : words) line += ' ' + shell_word(word);
   return line;
 }
 

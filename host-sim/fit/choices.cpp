@@ -121,11 +121,17 @@ std::vector<ViewArguments> smoothings(const ViewArguments& given) {
   return {given, plain};
 }
 
+/// Returns the same number for differences that look the same: by less than a tenth, or below a quarter of a step.
+double look_of(const FitChoice& choice) {
+  constexpr double kMinSeen = 0.25, kStep = 1.1;
+  return std::round(std::log(std::max(choice.rms, kMinSeen)) / std::log(kStep));
+}
+
 /// Keeps the choices that no other one beats, and puts the best looking one first.
 void keep_front(std::vector<FitChoice>& choices) {
   std::vector<Respects> respects;
   for (const FitChoice& choice : choices) {
-    respects.push_back({static_cast<double>(choice.flash), choice.rms, 1 / choice.rate.least});
+    respects.push_back({static_cast<double>(choice.flash), look_of(choice), 1 / choice.rate.least});
   }
   const std::vector<bool> front = pareto_front(respects);
   std::vector<FitChoice> kept;

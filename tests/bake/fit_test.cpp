@@ -1,4 +1,5 @@
 // `zstrip fit`: what it states is what is written, what it chooses fits and looks alike, and what does not fit is said.
+#include <filesystem>
 #include <string>
 
 #include "reduced_model.hpp"
@@ -56,6 +57,47 @@ TEST_F(Fit, TheBakeThatEachChoiceNamesTakesItsFlashAndItsRam) {
     const std::uint64_t bytes = ram.at("arena").get<std::uint64_t>() + 2 * ram.at("strip_pixels").get<std::uint64_t>();
     EXPECT_EQ(choice.at("ram_bytes"), bytes);
     EXPECT_LE(bytes, 24 * 1024U);
+  }
+}
+
+TEST_F(Fit, FlashAndRamOfModelsOfAllKindsAreThoseOfTheirBakes) {
+  for (const char* name : {"aniso.obj",
+                           "blend_opaque.gltf",
+                           "blender.dae",
+                           "blender.fbx",
+                           "c_avatar.vrm",
+                           "geo_4e6.gltf",
+                           "instancing.gltf",
+                           "m_production.3mf",
+                           "octahedron.obj",
+                           "one_key.gltf",
+                           "p_face.ply",
+                           "palette3.gltf",
+                           "rgba.obj",
+                           "root_with_parent.gltf",
+                           "s_ls.stl",
+                           "s_mag.stl",
+                           "scale_zero.gltf",
+                           "skin_small.gltf",
+                           "specgloss_gold.gltf",
+                           "../../bake/models/colours.ply",
+                           "../../bake/models/house.obj"}) {
+    const std::string model = (std::filesystem::path(SMALL_MODELS) / name).string();
+    for (const char* output : {"scene.zsc", "scene.hpp"}) {
+      const Json found = report({"fit", model, "--board", "pico", "--size", "48x48", "-o", output});
+      const Json& choice = found.at("choices").at(0);
+      const std::string written = read(path(output));
+      if (std::string(output) == "scene.zsc") {
+        EXPECT_EQ(choice.at("flash_bytes"), written.size()) << model;
+      }
+      const Json baked = report(choice.at("bake").get<std::vector<std::string>>());
+      EXPECT_EQ(read(path(output)), written) << model;
+      EXPECT_EQ(choice.at("flash_bytes"), baked.at("flash_bytes").at("total")) << model;
+      const Json& ram = baked.at("plan").at("ram_bytes");
+      std::uint64_t bytes = ram.at("arena").get<std::uint64_t>() + 2 * ram.at("strip_pixels").get<std::uint64_t>();
+      for (const char* key : {"moved_vertices", "joints"}) bytes += ram.value(key, std::uint64_t{0});
+      EXPECT_EQ(choice.at("ram_bytes"), bytes) << model;
+    }
   }
 }
 
