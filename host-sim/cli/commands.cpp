@@ -2,6 +2,8 @@
 #include "cli/commands.hpp"
 
 #include "cli/bake_command.hpp"
+#include "cli/blender_command.hpp"
+#include "cli/boards_command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/font_command.hpp"
 #include "cli/plan_command.hpp"
@@ -18,6 +20,8 @@ int run_command(int argc, char** argv) {
     add_bake_command(app, exit_code);
     add_font_command(app, exit_code);
     add_scenes_command(app, exit_code);
+    add_boards_command(app, exit_code);
+    add_blender_command(app, exit_code);
     add_sibling_commands(app);
   });
 }

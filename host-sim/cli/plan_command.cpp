@@ -12,10 +12,10 @@
 
 #include "bake/flash_bytes.hpp"
 #include "bake/stage_skins.hpp"
+#include "cli/camera_arguments.hpp"
 #include "cli/parse.hpp"
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
-#include "cli/reduction_arguments.hpp"
 #include "plan/alternatives.hpp"
 #include "render/edged_stage.hpp"
 #include "render/stage.hpp"
@@ -37,7 +37,7 @@ struct PlanCommandLine {
   PlanArguments plan;
   std::optional<std::string> depth_format;  // kChosen: the planner chooses
   std::optional<double> separation;
-  ReductionArguments reduction;
+  CameraArguments camera;
   bool static_layer = false;
   bool json = false;
 };
@@ -84,13 +84,12 @@ Result<Effects> all_effects(Stage& stage, const PlanRequest& request) {
 Result<Done> run_plan(const PlanCommandLine& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
-  const Result<Reduction> reduction = parse_reduction(arguments.reduction, arguments.scene);
-  if (!reduction) return reduction.failure();
+  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene, request->view.format);
+  if (!model) return model.failure();
+  const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
+  if (!camera) return camera.failure();
   std::optional<StepReport> steps(std::in_place, true);
-  Result<std::unique_ptr<Stage>> stage =
-      open_stage(arguments.scene,
-                 {.metals = Metals::mirroring, .reduction = *reduction, .look = look_for_people(request->view.format)},
-                 {}, request->view, 1);
+  Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, 1);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   steps.reset();
   if (!stage) return stage.failure();
@@ -153,7 +152,8 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("SCENE");
   add_plan_options(*command, a.plan);
-  add_reduction_options(*command, a.reduction);
+  add_camera_options(*command, a.camera);
+  add_reduction_options(*command, a.camera.reduction);
   command
       ->add_option("--depth-format", a.depth_format,
                    "Depth in the z-buffer: z16 (default), float, z24, or auto: the cheapest that sorts and fits")
@@ -168,6 +168,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  zstrip plan teapot --size 240x240\n"
       "  zstrip plan model.glb --size 320x240 --ram 16K --split-columns\n"
+      "  zstrip plan model.glb --size 240x240 --camera Camera\n"
       "  zstrip plan knot_meshlets --ram 48K --strip-buffers 2 --json\n"
       "  zstrip plan room --ram 8K --depth-format auto --separation 0.0001\n"
       "  zstrip plan random50 --visibility painter --size 128x64\n"

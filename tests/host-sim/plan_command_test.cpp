@@ -53,6 +53,22 @@ TEST_F(Command, PlanSaysWhichEffectsItsEstimateLeavesOut) {
   EXPECT_EQ(left_out({"fog", "--edges"}), Names{"edges"});
 }
 
+/// Regression: frames a second were those of zstrip's own place of the camera, whatever camera a bake was for.
+TEST_F(Command, PlanCountsWhatTheCameraOfTheOptionsSees) {
+  file("t.obj", kTriangleObj);
+  const auto instructions = [this](const std::vector<std::string>& camera) {
+    std::vector<std::string> words{"plan", "t.obj", "--size", "160x120", "--json"};
+    words.insert(words.end(), camera.begin(), camera.end());
+    const Outcome outcome = zstrip(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out).at("plan").at("estimated_m3_instructions").get<int>();
+  };
+  const int near = instructions({"--eye", "0.3,0.3,1"}), far = instructions({"--eye", "0.3,0.3,20"});
+  EXPECT_GT(near, 2 * far) << "it fills the picture, or nearly nothing of it";
+  EXPECT_EQ(zstrip({"plan", "t.obj", "--camera", "none"}).status, 4);
+  EXPECT_EQ(zstrip({"plan", "teapot", "--light", "0,1,0"}).status, 2);
+}
+
 TEST_F(Command, PlanSaysFlashAndFramesASecondOfBoards) {
   const std::string scene = ZSTRIP_SCENE_FILES "/gallery/watch.toml";
   const auto plan = [&](const std::vector<std::string>& options) {
