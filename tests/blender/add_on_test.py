@@ -155,7 +155,7 @@ class Commands(InFolder):
                                     rotation=90, format='rgb666', ram=' 24K ', samples=4, dither=True, edges=True,
                                     highlights=True, plain_materials=True)
         self.assertEqual(command.render_words('z', 'm.glb', 'p.ppm', settings), [
-            'z', 'render', 'm.glb', '-o', 'p.ppm', '--image', 'ppm', '--json', '-', '--quiet', '--size', '320x240',
+            'z', 'render', 'm.glb', '-o', 'p.ppm', '--image', 'ppm', '--json', '-', '--size', '320x240',
             '--format', 'rgb666', '--camera=-a b', '--background', '102030', '--highlights', '--plain-materials',
             '--samples', '4', '--dither', '--edges', '--ram', '24K', '--panel', 'st7789', '--rotation', '90'])
         plain = command.Settings(8, 8)

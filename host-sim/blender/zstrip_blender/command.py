@@ -5,6 +5,7 @@ import shutil
 from dataclasses import dataclass, field
 
 NAME = 'zstrip'
+CANCELLED = 'cancelled'  # the error of what the user ended
 
 
 class CommandError(Exception):
@@ -136,7 +137,7 @@ def _look(settings):
 
 def render_words(command, model, picture, settings):
     """Draws one picture of the model as PPM, and its report on standard output. With a panel it is the panel's glass."""
-    words = [command, 'render', model, '-o', picture, '--image', 'ppm', '--json', '-', '--quiet']
+    words = [command, 'render', model, '-o', picture, '--image', 'ppm', '--json', '-']
     words += _look(settings)
     if settings.panel:
         words += ['--panel', settings.panel]
@@ -160,7 +161,7 @@ def bake_words(command, model, output, kind, settings, uf2_board='', uf2_program
     """Writes a scene for firmware, and its report on standard output. `kind`: a key of KINDS; a sketch is a folder."""
     if kind == 'SKETCH' and not output.endswith('/'):
         output += '/'
-    words = [command, 'bake', model, '-o', output, '--json', '-', '--quiet', *_look(settings)]
+    words = [command, 'bake', model, '-o', output, '--json', '-', *_look(settings)]
     if kind == 'UF2':
         if uf2_board:
             words += ['--board', uf2_board]
@@ -173,7 +174,7 @@ def bake_words(command, model, output, kind, settings, uf2_board='', uf2_program
 
 def fit_words(command, model, output, settings):
     """Makes the model small enough for the board and bakes it; the report on standard output."""
-    return [command, 'fit', model, '--board', settings.board, '-o', output, '--json', '-', '--quiet', *_scene(settings)]
+    return [command, 'fit', model, '--board', settings.board, '-o', output, '--json', '-', *_scene(settings)]
 
 
 _WARNING, _LINE = 'zstrip: warning: ', 'zstrip: '
@@ -196,7 +197,7 @@ def error_of(outcome):
 def checked(outcome):
     """Returns standard output of a process.Outcome that succeeded. Raises CommandError for others."""
     if outcome.status != 0:
-        raise CommandError('cancelled' if outcome.cancelled else error_of(outcome))
+        raise CommandError(CANCELLED if outcome.cancelled else error_of(outcome))
     return outcome.out
 
 

@@ -155,7 +155,8 @@ class LiveView:
             self._shader = _shader()
         corners = [(left, bottom), (left + width, bottom), (left + width, bottom + height), (left, bottom + height)]
         texels = [(0, 0), (shown.width, 0), (shown.width, shown.height), (0, shown.height)]
-        quad = batch.batch_for_shader(self._shader, 'TRI_FAN', {'pos': corners, 'texel': texels})
+        quad = batch.batch_for_shader(self._shader, 'TRIS', {'pos': corners, 'texel': texels},
+                                       indices=((0, 1, 2), (0, 2, 3)))
         self._shader.bind()
         self._shader.uniform_sampler('image', self._texture)
         quad.draw(self._shader)

@@ -79,11 +79,14 @@ class _Commands:
         out = command.checked(outcome)
         for warning in command.warnings_of(outcome.err):
             self.report({'WARNING'}, f'zstrip: {warning}')
-        self._finish(out)
+        try:
+            self._finish(out)
+        except (KeyError, IndexError, TypeError, ValueError) as error:
+            raise command.CommandError(f'its report: {error!r}; is the command as new as the add-on?') from error
 
     def _fail(self, context, message):
         self._clean(context)
-        self.report({'ERROR'}, f'zstrip: {message}')
+        self.report({'INFO' if message == command.CANCELLED else 'ERROR'}, f'zstrip: {message}')
         return {'CANCELLED'}
 
     def _clean(self, context):

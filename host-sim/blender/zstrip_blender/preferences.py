@@ -8,6 +8,7 @@ from . import command, process
 # Listing takes a hundredth of a second; a command that does not answer must not stop Blender.
 LIST_SECONDS = 5.0
 _listed = {}
+_said = []
 
 
 class ZstripPreferences(bpy.types.AddonPreferences):
@@ -71,7 +72,9 @@ def catalogue():
                 command.checked(process.run([path, 'boards', '--json'], LIST_SECONDS)))
         return _listed[key]
     except (command.CommandError, OSError) as error:
-        print(f'zstrip: {error}')
+        if _said[-1:] != [str(error)]:  # once: lists are drawn again and again
+            _said.append(str(error))
+            print(f'zstrip: {error}')
         return command.Catalogue()
 
 
