@@ -57,7 +57,9 @@ std::string boards_json() {
                       {"sizes", sizes},
                       {"formats", formats_of(panel)},
                       {"spi_mhz", megahertz(panel.fastest_spi)},
-                      {"i2c_mhz", megahertz(panel.fastest_i2c)}});
+                      {"i2c_mhz", megahertz(panel.fastest_i2c)},
+                      {"qspi_mhz", megahertz(panel.fastest_qspi)},
+                      {"rotates", has_orientation(panel, {.rotation = hal::Rotation::by_90})}});
   }
   for (int index = 0; index <= static_cast<int>(kLastPixelFormat); ++index) {
     formats.push_back(name(static_cast<PixelFormat>(index)));

@@ -177,6 +177,8 @@ class Commands(InFolder):
         panel = command.Panel('st7789', ((240, 240), (240, 320)), ('rgb565_swapped',))
         turns = [command.rotation_on(panel, *size) for size in ((240, 240), (240, 320), (320, 240), (8, 8))]
         self.assertEqual(turns, [0, 0, 90, 0])
+        fixed = command.Panel('sh8601', ((240, 320),), ('rgb565_swapped',), rotates=False)
+        self.assertEqual(command.rotation_on(fixed, 320, 240), 0)
 
     def test_the_last_line_is_the_error_and_warnings_are_none(self):
         err = 'zstrip: reading, 10 s\nzstrip: warning: odd\nzstrip: it failed\nzstrip: warning: odder\n'
@@ -388,7 +390,8 @@ class WithTheCommand(InFolder):
                 command.Settings(40, 30, edges=True)]
         some += [command.Settings(40, 30, format=name) for name in catalogue.formats]
         for panel in catalogue.panels:
-            for width, height in {*panel.sizes[:1], *(size[::-1] for size in panel.sizes[:1])}:
+            on_side = [size[::-1] for size in panel.sizes[:1]] if panel.rotates else []
+            for width, height in {*panel.sizes[:1], *on_side}:
                 some.append(command.Settings(width, height, panel=panel.name, format=panel.formats[0],
                                              rotation=command.rotation_on(panel, width, height)))
         for settings in some:

@@ -43,6 +43,7 @@ class Panel:
     name: str
     sizes: tuple
     formats: tuple
+    rotates: bool = True  # by 90 degrees
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,8 @@ class Catalogue:
 def rotation_on(panel, width, height):
     """Returns how a picture of this size lies on the Panel: 0 upright, 90 on its side. Sizes that no module has are
     upright: the command then lists those that there are."""
-    return 90 if (width, height) not in panel.sizes and (height, width) in panel.sizes else 0
+    on_side = (width, height) not in panel.sizes and (height, width) in panel.sizes
+    return 90 if panel.rotates and on_side else 0
 
 
 def parse_catalogue(text):
@@ -78,7 +80,7 @@ def parse_catalogue(text):
                   for board in report['boards']),
             tuple(str(name) for name in report['uf2_boards']),
             tuple(Panel(str(panel['name']), tuple((int(width), int(height)) for width, height in panel['sizes']),
-                        tuple(str(name) for name in panel['formats']))
+                        tuple(str(name) for name in panel['formats']), bool(panel['rotates']))
                   for panel in report['panels']),
             tuple(str(name) for name in report['formats']))
     except (KeyError, TypeError, ValueError) as error:

@@ -205,7 +205,7 @@ def _sizes(self, context):
     panel = preferences.catalogue().panel(context.scene.zstrip.panel)
     sizes = []
     for width, height in panel.sizes if panel else ():
-        sizes += [f'{width}x{height}'] + ([f'{height}x{width}'] if width != height else [])
+        sizes += [f'{width}x{height}'] + ([f'{height}x{width}'] if panel.rotates and width != height else [])
     properties._kept['sizes'] = [(size, size, '') for size in sizes] or [(properties.NONE, 'Choose a panel', '')]
     return properties._kept['sizes']
 
