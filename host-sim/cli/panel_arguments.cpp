@@ -112,6 +112,7 @@ void add_panel_options(CLI::App& command, PanelArguments& arguments) {
   command.add_option("--rotation", a.rotation, "Rotates the picture on the panel, clockwise: 0, 90, 180 or 270")
       ->type_name("DEGREES");
   command.add_flag("--mirror", a.mirror, "Mirrors the picture on the panel, left and right");
+  command.add_flag("--changes", a.changes, "Sends the panel only what changed since the frame before");
 }
 
 Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments, const std::optional<std::string>& size,
@@ -120,6 +121,7 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
     const char* const alone = arguments.bus        ? "--bus"
                               : arguments.rotation ? "--rotation"
                               : arguments.mirror   ? "--mirror"
+                              : arguments.changes  ? "--changes"
                                                    : nullptr;
     if (alone != nullptr) return usage(fmt::format("{} is an option of a panel: --panel says which", alone));
     return std::optional<PanelRequest>{};
@@ -135,7 +137,8 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
                        .orientation = {*rotation, arguments.mirror},
                        .format = (*kind)->formats.front(),
                        .bus = bus->kind,
-                       .cycle = bus->cycle};
+                       .cycle = bus->cycle,
+                       .changes = arguments.changes};
   if (!has_orientation(**kind, request.orientation)) {
     return usage(
         fmt::format("--rotation {}: a {} cannot show a picture so", arguments.rotation.value_or("0"), (*kind)->name));

@@ -16,6 +16,7 @@ namespace zstrip::sim {
 /// The options as given on the command line.
 struct PanelArguments {
   std::optional<std::string> panel;
+  bool changes = false;
   std::optional<std::string> bus;
   std::optional<std::string> rotation;
   bool mirror = false;

@@ -145,7 +145,7 @@ void warn_of_complaints(const PanelModel& panel, RunRecord& run) {
 std::optional<PanelRecord> panel_record(const std::optional<PanelRequest>& panel) {
   if (!panel) return std::nullopt;
   return PanelRecord{panel->kind->name, bus_words(*panel), 90 * static_cast<int>(panel->orientation.rotation),
-                     panel->orientation.mirrored};
+                     panel->orientation.mirrored, panel->changes};
 }
 
 /// The bytes of a file.
@@ -200,8 +200,9 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   }
   // Before a picture is written.
   if (const Result<Done> checked = check_no_input(job.report, "--json"); !checked) return checked.failure();
-  // Each frame begins with the visible meshlets of the frame before.
-  const unsigned threads = drawing.visibility.temporal ? 1 : std::min(job.threads, job.outputs.frames);
+  // Each frame begins with the visible meshlets, or what the panel shows, of the frame before.
+  const bool in_order = drawing.visibility.temporal || (drawing.panel && drawing.panel->changes);
+  const unsigned threads = in_order ? 1 : std::min(job.threads, job.outputs.frames);
   const unsigned strip_threads = job.outputs.frames == 1 ? job.threads : 1;
   std::vector<SceneDrawer> drawers;
   for (unsigned thread = 0; thread < threads; ++thread) {
@@ -307,6 +308,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render random50 --visibility painter --show error\n"
       "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw\n"
       "  zstrip render teapot -o panel.png --panel st7789 --bus spi@40MHz --rotation 90\n"
+      "  zstrip render teapot -o frames --frames 64 --panel st7789 --changes --json frames.json\n"
       "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz --dither\n"
       "  zstrip render teapot -o smooth.png --samples 4\n"
       "  zstrip render room --size 320x240 --pick 160,120");

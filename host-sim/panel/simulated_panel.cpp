@@ -12,6 +12,7 @@
 #include "panel/ssd1306_model.hpp"
 #include "panel/ssd1351_model.hpp"
 #include "panel/ssd1680_model.hpp"
+#include "zstrip_hal/changed_tiles.hpp"
 #include "zstrip_hal/co5300.hpp"
 #include "zstrip_hal/gc9a01.hpp"
 #include "zstrip_hal/ili9341.hpp"
@@ -87,9 +88,7 @@ class PanelOf final : public SimulatedPanel {
   std::uint16_t height() const override { return driver_.height(); }
   PixelFormat format() const override { return driver_.format(); }
   hal::Error begin_frame() override { return driver_.begin_frame(); }
-  hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) override {
-    return driver_.write(area, pixels);
-  }
+  hal::Error write(const hal::Area& area, std::span<std::byte> pixels) override { return driver_.write(area, pixels); }
   hal::Error wait() override { return driver_.wait(); }
   hal::Error end_frame() override { return driver_.end_frame(); }
 
@@ -196,17 +195,7 @@ std::unique_ptr<SimulatedPanel> ssd1680_panel(const PanelRequest& request) {
                                                     [&](ModelBus& bus) { return ModelledSsd1680(bus, panel, config); });
 }
 
-}  // namespace
-
-std::span<const PanelKind> panel_kinds() { return kKinds; }
-
-BusTiming timing_of(BusKind bus, Nanoseconds cycle) {
-  if (bus != BusKind::i2c) return {.byte = 8 * cycle, .transfer = 0ns, .cycle = cycle};
-  // Each byte has an acknowledge bit. Start, address and control byte come before them, stop comes after them.
-  return {.byte = 9 * cycle, .transfer = (1 + 9 + 9 + 1) * cycle, .cycle = cycle};
-}
-
-std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
+std::unique_ptr<SimulatedPanel> whole_panel(const PanelRequest& request) {
   const std::string_view name = request.kind->name;
   if (name == "ssd1351") return ssd1351_panel(request);
   if (name == "ssd1306") return ssd1306_panel(request);
@@ -239,6 +228,44 @@ std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
     return dcs_panel<hal::Ili9488, hal::Ili9488Controller>(request, kIli9488Part, hal::kIli9488Module320x480);
   }
   return dcs_panel<hal::St7789, hal::St7789Controller>(request, kSt7789Part, hal::kSt7789Module240x240);
+}
+
+/// Another panel that is sent only what changed. It has tiles for each strip of each module.
+class ChangesPanel final : public SimulatedPanel {
+ public:
+  explicit ChangesPanel(std::unique_ptr<SimulatedPanel> panel) : panel_(std::move(panel)), changes_(*panel_) {}
+
+  hal::Error start() override { return changes_.start(); }
+  std::uint16_t width() const override { return changes_.width(); }
+  std::uint16_t height() const override { return changes_.height(); }
+  PixelFormat format() const override { return changes_.format(); }
+  hal::Error begin_frame() override { return changes_.begin_frame(); }
+  hal::Error write(const hal::Area& area, std::span<std::byte> pixels) override { return changes_.write(area, pixels); }
+  hal::Error wait() override { return changes_.wait(); }
+  hal::Error end_frame() override { return changes_.end_frame(); }
+
+  const PanelModel& model() const override { return panel_->model(); }
+  const ModelBus& bus() const override { return panel_->bus(); }
+
+ private:
+  std::unique_ptr<SimulatedPanel> panel_;
+  hal::ChangedTiles<SimulatedPanel, 16384> changes_;
+};
+
+}  // namespace
+
+std::span<const PanelKind> panel_kinds() { return kKinds; }
+
+BusTiming timing_of(BusKind bus, Nanoseconds cycle) {
+  if (bus != BusKind::i2c) return {.byte = 8 * cycle, .transfer = 0ns, .cycle = cycle};
+  // Each byte has an acknowledge bit. Start, address and control byte come before them, stop comes after them.
+  return {.byte = 9 * cycle, .transfer = (1 + 9 + 9 + 1) * cycle, .cycle = cycle};
+}
+
+std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
+  std::unique_ptr<SimulatedPanel> panel = whole_panel(request);
+  if (!request.changes) return panel;
+  return std::make_unique<ChangesPanel>(std::move(panel));
 }
 
 bool has_orientation(const PanelKind& kind, const hal::Orientation& orientation) {

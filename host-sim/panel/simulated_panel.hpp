@@ -48,7 +48,8 @@ struct PanelRequest {
   hal::Orientation orientation;
   hal::PixelFormat format{};  ///< one of the kind's
   BusKind bus = BusKind::spi;
-  Nanoseconds cycle{};  ///< one cycle of the bus's clock
+  Nanoseconds cycle{};   ///< one cycle of the bus's clock
+  bool changes = false;  ///< only what changed since the frame before is sent (zstrip_hal/changed_tiles.hpp)
 };
 
 /// A hal::Display. Cannot be moved, because the driver refers to bus and model.
@@ -64,7 +65,7 @@ class SimulatedPanel {
   virtual std::uint16_t height() const = 0;
   virtual hal::PixelFormat format() const = 0;
   virtual hal::Error begin_frame() = 0;
-  virtual hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) = 0;
+  virtual hal::Error write(const hal::Area& area, std::span<std::byte> pixels) = 0;
   virtual hal::Error wait() = 0;
   virtual hal::Error end_frame() = 0;
 

@@ -19,7 +19,7 @@ class DisplayPair {
   hal::PixelFormat format() const { return first_.format(); }
 
   hal::Error begin_frame() { return either(first_.begin_frame(), second_.begin_frame()); }
-  hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) {
+  hal::Error write(const hal::Area& area, std::span<std::byte> pixels) {
     return either(first_.write(area, pixels), second_.write(area, pixels));
   }
   hal::Error wait() { return either(first_.wait(), second_.wait()); }

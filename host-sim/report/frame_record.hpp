@@ -34,6 +34,7 @@ struct PanelRecord {
   std::string bus;   ///< "SPI at 40 MHz"
   int rotation = 0;  ///< degrees, clockwise
   bool mirrored = false;
+  bool changes = false;  ///< only what changed is sent
 };
 
 struct RunRecord {

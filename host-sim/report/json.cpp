@@ -132,7 +132,8 @@ std::string to_json(const RunRecord& run) {
     object["panel"] = {{"name", run.panel->name},
                        {"bus", run.panel->bus},
                        {"rotation", run.panel->rotation},
-                       {"mirrored", run.panel->mirrored}};
+                       {"mirrored", run.panel->mirrored},
+                       {"changes", run.panel->changes}};
   }
   object["frames"] = std::move(frames);
   // Names of files may be any bytes; what is not UTF-8 is replaced, not refused.

@@ -25,8 +25,11 @@ std::string range(const RunRecord& run, Value value) {
 
 /// Returns the time of the bus for a frame, and how many frames a second it allows at most.
 std::string panel(const RunRecord& run) {
-  const BusUse& most =
-      std::ranges::max_element(run.frames, {}, [](const FrameRecord& frame) { return frame.bus.nanoseconds; })->bus;
+  // Where only changes are sent, the first frame is sent whole, and the others tell the speed.
+  const std::span frames(run.frames);
+  const BusUse& most = std::ranges::max_element(frames.subspan(run.panel->changes && frames.size() > 1 ? 1 : 0), {},
+                                                [](const FrameRecord& frame) { return frame.bus.nanoseconds; })
+                           ->bus;
   const double milliseconds = 1e-6 * static_cast<double>(most.nanoseconds);
   return fmt::format("{}{}{}, {}: {} in {:.2f} ms a frame, at most {:.1f} frames/s", run.panel->name,
                      run.panel->rotation != 0 ? fmt::format(" turned by {}", run.panel->rotation) : "",

@@ -93,6 +93,28 @@ TEST_F(PanelCommand, EveryPanelShowsFrames) {
   }
 }
 
+TEST_F(PanelCommand, WithChangesTheSameFramesTakeFewerBytes) {
+  for (const char* panel : {"st7789", "ssd1351", "ssd1306", "ssd1680"}) {
+    const auto report = [&](const char* folder, const std::vector<std::string>& more) {
+      std::vector<std::string> words{"-o",           folder, "--frames", "4", "--panel", panel,
+                                     "--strip-rows", "16",   "--json",   "-", "--quiet"};
+      words.insert(words.end(), more.begin(), more.end());
+      return nlohmann::json::parse(zstrip(words).out);
+    };
+    const auto whole = report("whole", {}), changes = report("changes", {"--changes"});
+    EXPECT_FALSE(whole["panel"]["changes"]);
+    EXPECT_TRUE(changes["panel"]["changes"]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::string name = "/frame_000" + std::to_string(i) + ".png";
+      EXPECT_EQ(read(path("whole" + name)), read(path("changes" + name))) << panel << " frame " << i;
+      const auto all = whole["frames"][i]["bus"]["bytes"].get<int>(),
+                 sent = changes["frames"][i]["bus"]["bytes"].get<int>();
+      EXPECT_GT(sent, 0);
+      if (i > 0) EXPECT_LT(sent, all) << panel << " frame " << i;
+    }
+  }
+}
+
 TEST_F(PanelCommand, SaysWhatCannotBeAndWhatIsNearest) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"--panel", "st778"}, "did you mean st7789?"},
@@ -116,7 +138,8 @@ TEST_F(PanelCommand, SaysWhatCannotBeAndWhatIsNearest) {
       {{"--panel", "ssd1306", "--strip-rows", "12"}, "multiples of 8"},
       {{"--bus", "spi@1MHz"}, "--panel"},
       {{"--rotation", "90"}, "--panel"},
-      {{"--mirror"}, "--panel"}};
+      {{"--mirror"}, "--panel"},
+      {{"--changes"}, "--panel"}};
   for (const auto& [arguments, words] : cases) {
     const Outcome outcome = zstrip(arguments);
     EXPECT_EQ(outcome.status, 2) << words;
