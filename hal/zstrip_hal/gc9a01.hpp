@@ -1,5 +1,5 @@
-// Galaxycore GC9A01: controller of round IPS panels of 240x240, on a command/data bus. The data sheet allows a serial
-// clock up to 100 MHz (10 ns a write cycle). A round glass has no pixels outside of its circle; the corners of the
+// Galaxycore GC9A01: controller of round IPS panels of 240x240, on a command/data bus. Public drivers give a serial
+// clock of at most 100 MHz (10 ns a write cycle). A round glass has no pixels outside of its circle; the corners of the
 // picture are sent all the same.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Ilitek ILI9488: controller of colour panels of 320x480, on a command/data bus. On a serial bus it takes no pixels of
-// 16 bits, only of 18 in three bytes, so that a frame is half as much again. The data sheet allows a serial clock up to
-// 20 MHz (50 ns a write cycle); modules are commonly run at 40 MHz, at your own risk.
+// 16 bits, only of 18 in three bytes, so that a frame is half as much again. Public drivers give a serial clock of at
+// most 20 MHz (50 ns a write cycle); modules are commonly run at 40 MHz, at your own risk.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Sitronix ST7796S: controller of colour panels of 320x480, on a command/data bus. The data sheet allows a serial clock
-// up to 15 MHz (66 ns a write cycle); modules are commonly run at 40 MHz and more, at your own risk.
+// Sitronix ST7796S: controller of colour panels of 320x480, on a command/data bus. Public drivers give a serial clock
+// of at most 15 MHz (66 ns a write cycle); modules are commonly run at 40 MHz and more, at your own risk.
 #pragma once
 
 #include <cstddef>

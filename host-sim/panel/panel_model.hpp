@@ -1,7 +1,8 @@
 // The common parts of all models of panels: wires, time, and a list of inputs that the real part would not accept.
 //
-// The models are written from the command tables and timing tables of the controllers' data sheets. They share no code
-// with the drivers in hal, so that they can check the drivers.
+// The models are written from the command tables and timing tables of the controllers' data sheets, or from what public
+// drivers agree on (docs/panels.md says which). They share no code with the drivers in hal, so that they can check
+// them.
 #pragma once
 
 #include <chrono>
