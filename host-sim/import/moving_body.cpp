@@ -201,7 +201,8 @@ void MovingBody::keep_shared_borders(std::span<MovingBody> bodies) {
       uses[bodies[i].vertices_[vertex].position].push_back({i, vertex});
     }
   }
-  for (const auto& [place, users] : uses) {
+  for (const auto& entry : uses) {
+    const std::vector<Use>& users = entry.second;
     if (std::ranges::all_of(users, [&](const Use& use) { return use.body == users.front().body; })) continue;
     for (const Use& use : users) bodies[use.body].is_shared_[use.vertex] = true;
   }
