@@ -125,7 +125,8 @@ class ChangedTiles {
         const std::uint16_t columns = part(area.width, x, kTileColumns), rows = part(area.height, y, tile_rows);
         if (next_ < tiles) {
           // Tiles of other areas have other hashes.
-          const std::uint32_t place = ((area.left + x) << 16 | (area.top + y)) ^ (rows << 24 | columns << 8);
+          const std::uint32_t place =
+              ((area.left + x) << 16 | (area.top + y)) ^ (std::uint32_t{rows} << 24 | std::uint32_t{columns} << 8);
           const std::uint32_t hash =
               detail::hash_rows(place, pixels + y * stride + x / kTileColumns * tile_bytes,
                                 columns == kTileColumns ? tile_bytes : bytes_per_row(columns, format()), stride, rows);
