@@ -110,7 +110,9 @@ TEST_F(PanelCommand, WithChangesTheSameFramesTakeFewerBytes) {
       const auto all = whole["frames"][i]["bus"]["bytes"].get<int>(),
                  sent = changes["frames"][i]["bus"]["bytes"].get<int>();
       EXPECT_GT(sent, 0);
-      if (i > 0) EXPECT_LT(sent, all) << panel << " frame " << i;
+      if (i > 0) {
+        EXPECT_LT(sent, all) << panel << " frame " << i;
+      }
     }
   }
 }
