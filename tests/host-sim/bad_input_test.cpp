@@ -251,7 +251,7 @@ TEST_F(BadInput, Options) {
   usage("frobnicate", {"frobnicate"});
   usage("'rendr' is unknown, did you mean render?; see 'zstrip --help'", {"rendr", "teapot"});
   usage("'--sise' is unknown, did you mean --size?; see 'zstrip render --help'", {"render", "teapot", "--sise", "3x3"});
-  usage("'--up' is an option of render and bake; plan has none of that name", {"plan", "teapot", "--up", "z"});
+  usage("'--quiet' is an option of render and bake", {"plan", "teapot", "--quiet"});
   usage("'--turntable' is an option of bake; render has none", {"render", "teapot", "--turntable"});
   usage("'--smaples' is unknown, did you mean --samples?", {"render", "teapot", "--smaples=4"});
   usage("'--size' stands behind '--', the end of all options", {"render", "teapot", "--", "--size", "3x3"});
