@@ -229,7 +229,10 @@ std::string plain_obj(std::string_view from, const std::function<bool(std::strin
     } else if (key == "mtllib") {
       append_libraries(plain, trimmed(rest), is_file);
     } else if (is_read(key)) {
-      plain += is_of_numbers(key) ? trimmed(line.substr(0, line.find('#'))) : line;
+      std::string_view kept = is_of_numbers(key) ? trimmed(line.substr(0, line.find('#'))) : line;
+      // A backslash before a comment would now continue the line.
+      while (is_of_numbers(key) && kept.ends_with('\\')) kept = trimmed(kept.substr(0, kept.size() - 1));
+      plain += kept;
       plain += '\n';
     }
     if (key == "usemtl") material = trimmed(rest);
