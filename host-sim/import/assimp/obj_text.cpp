@@ -40,25 +40,33 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-/// Returns the words before a comment, at most so many.
+/// A backslash at a line's end would join the next line to it.
+std::string_view without_end_backslashes(std::string_view line) {
+  while (line.ends_with('\\')) line = trimmed(line.substr(0, line.size() - 1));
+  return line;
+}
+
+/// Returns the numbers of a line, before a comment, at most so many.
 template <std::size_t most>
 std::span<const std::string_view> take_words(std::string_view line, std::array<std::string_view, most>& words) {
   std::size_t count = 0;
-  while (count < most) {
-    const std::string_view word = take_word(line);
-    if (word.empty() || word[0] == '#') break;
-    words[count++] = word;
+  while (count < most && !line.empty()) {
+    const std::string_view word = without_end_backslashes(take_word(line));
+    if (word.starts_with('#')) break;
+    if (!word.empty()) words[count++] = word;
   }
   return std::span(words).first(count);
 }
 
+void append(std::string& to, std::string_view number) {
+  to += ' ';
+  if (number[0] == '.') to += '0';
+  to += number;
+}
+
 void append(std::string& to, std::string_view key, std::span<const std::string_view> numbers) {
   to += key;
-  for (const std::string_view number : numbers) {
-    to += ' ';
-    if (number[0] == '.') to += '0';
-    to += number;
-  }
+  for (const std::string_view number : numbers) append(to, number);
 }
 
 /// Joins a line that ends in a backslash with the next one.
@@ -79,6 +87,8 @@ std::string with_joined_lines(std::string_view text) {
   return joined;
 }
 
+bool is_quoted(std::string_view name) { return name.size() > 2 && name.starts_with('"') && name.ends_with('"'); }
+
 /// Appends the names of files after `mtllib`, each on a line of its own. A name that is not a file may be several
 /// names.
 void append_libraries(std::string& to, std::string_view names, const std::function<bool(std::string_view)>& is_file) {
@@ -88,15 +98,23 @@ void append_libraries(std::string& to, std::string_view names, const std::functi
     words.push_back(word);
   }
   if (is_file(names) || std::ranges::none_of(words, is_file)) words = {names};
-  const bool is_quoted = names.size() > 2 && names.front() == '"' && names.back() == '"';
-  if (is_quoted && words.size() == 1) words = {names.substr(1, names.size() - 2)};
+  while (words.size() == 1 && is_quoted(words[0])) {
+    words[0] = without_end_backslashes(trimmed(words[0].substr(1, words[0].size() - 2)));
+  }
   for (const std::string_view word : words) to += fmt::format("mtllib {}\n", word);
 }
 
 /// True for lines of numbers alone, in which a comment may follow. Names may have a #.
 bool is_of_numbers(std::string_view key) {
-  constexpr std::array<std::string_view, 5> kKeys{"vn", "f", "l", "p", "s"};
+  constexpr std::array<std::string_view, 7> kKeys{"v", "vt", "vn", "f", "l", "p", "s"};
   return std::ranges::find(kKeys, key) != kKeys.end();
+}
+
+/// Removes the next line from a text of joined lines; returns it without the comment that may follow numbers.
+std::string_view take_statement(std::string_view& text) {
+  const std::string_view line = without_end_backslashes(take_line(text));
+  std::string_view rest = line;
+  return is_of_numbers(take_word(rest)) ? without_end_backslashes(trimmed(line.substr(0, line.find('#')))) : line;
 }
 
 /// Others are of curves and of other programs; Assimp takes some for lines that begin with the same letter.
@@ -133,7 +151,7 @@ Vertices survey(std::string_view text) {
   std::array<double, 3> low{}, high{};
   bool is_first = true;
   while (!text.empty()) {
-    std::string_view line = take_line(text);
+    std::string_view line = take_statement(text);
     VertexWords words;
     if (take_word(line) != "v") continue;
     const std::span<const std::string_view> of_vertex = take_words(line, words);
@@ -160,7 +178,7 @@ Vertices survey(std::string_view text) {
 /// Appends the number with as many digits as a float has, from the origin.
 void append_from(std::string& to, std::string_view word, double origin) {
   const std::optional<double> number = number_of(word);
-  to += number ? fmt::format(" {:.9g}", *number - origin) : fmt::format(" {}", word);
+  append(to, number ? fmt::format("{:.9g}", *number - origin) : std::string(word));
 }
 
 void append_vertex(std::string& to, std::span<const std::string_view> words, const Vertices& all) {
@@ -215,7 +233,7 @@ std::string plain_obj(std::string_view from, const std::function<bool(std::strin
   std::string plain;
   plain.reserve(text.size() + text.size() / 8);
   while (!text.empty()) {
-    const std::string_view line = take_line(text);
+    const std::string_view line = take_statement(text);
     std::string_view rest = line;
     const std::string_view key = take_word(rest);
     if (key == "v") {
@@ -229,10 +247,7 @@ std::string plain_obj(std::string_view from, const std::function<bool(std::strin
     } else if (key == "mtllib") {
       append_libraries(plain, trimmed(rest), is_file);
     } else if (is_read(key)) {
-      std::string_view kept = is_of_numbers(key) ? trimmed(line.substr(0, line.find('#'))) : line;
-      // A backslash before a comment would now continue the line.
-      while (is_of_numbers(key) && kept.ends_with('\\')) kept = trimmed(kept.substr(0, kept.size() - 1));
-      plain += kept;
+      plain += line;
       plain += '\n';
     }
     if (key == "usemtl") material = trimmed(rest);
