@@ -215,62 +215,41 @@ const DcsPart kIli9342Part{"ILI9342",       320,   240,   100ns,       10us,  5m
 const DcsPart kIli9488Part{"ILI9488",       320,   480,   50ns, 10us,  5ms,
                            120ms,           5ms,   120ms, 0x66, false, kIli9488Commands,
                            kIli9488Answers, 150ns, 0xFB,  {},   false};
-const DcsPart kCo5300Part{.name = "CO5300",
-                          .columns = 480,
-                          .rows = 502,
-                          .shortest_cycle = 20ns,
-                          .shortest_reset = 10us,
-                          .reset_to_command = 5ms,
-                          .reset_to_sleep_out = 120ms,
-                          .sleep_to_command = 5ms,
-                          .between_sleeps = 120ms,
-                          .format_after_reset = 0x77,
-                          .has_12_bits = false,
-                          .own_commands = kCo5300Commands,
-                          .answers = {},
-                          .shortest_read_cycle = 150ns,
-                          .read_index = 0,
-                          .has_qspi = true,
-                          .has_even_windows = true,
-                          .access = 0xCC,
-                          .brightness_bits = 0x20,
-                          .is_lit_by_brightness = true};
-const DcsPart kSh8601Part{.name = "SH8601",
-                          .columns = 368,
-                          .rows = 448,
-                          .shortest_cycle = 20ns,
-                          .shortest_reset = 10us,
-                          .reset_to_command = 5ms,
-                          .reset_to_sleep_out = 120ms,
-                          .sleep_to_command = 5ms,
-                          .between_sleeps = 120ms,
-                          .format_after_reset = 0x77,
-                          .has_12_bits = false,
-                          .own_commands = kSh8601Commands,
-                          .answers = {},
-                          .shortest_read_cycle = 150ns,
-                          .read_index = 0,
-                          .has_qspi = true,
-                          .has_even_windows = true,
-                          .access = 0x48,
-                          .brightness_bits = 0x20,
-                          .is_lit_by_brightness = true};
-const DcsPart kSt77916Part{.name = "ST77916",
-                           .columns = 360,
-                           .rows = 360,
-                           .shortest_cycle = 20ns,
-                           .shortest_reset = 10us,
-                           .reset_to_command = 5ms,
-                           .reset_to_sleep_out = 120ms,
-                           .sleep_to_command = 5ms,
-                           .between_sleeps = 120ms,
-                           .format_after_reset = 0x66,
-                           .has_12_bits = false,
-                           .own_commands = kSt77916Commands,
-                           .answers = {},
-                           .shortest_read_cycle = 150ns,
-                           .read_index = 0,
-                           .has_qspi = true};
+
+/// Controllers on QSPI have these in common.
+constexpr DcsPart qspi_part(const char* name, std::uint16_t columns, std::uint16_t rows,
+                            std::span<const DcsCommand> commands) {
+  return {.name = name,
+          .columns = columns,
+          .rows = rows,
+          .shortest_cycle = 20ns,
+          .shortest_reset = 10us,
+          .reset_to_command = 5ms,
+          .reset_to_sleep_out = 120ms,
+          .sleep_to_command = 5ms,
+          .between_sleeps = 120ms,
+          .format_after_reset = 0x66,
+          .has_12_bits = false,
+          .own_commands = commands,
+          .answers = {},
+          .shortest_read_cycle = 150ns,
+          .read_index = 0,
+          .has_qspi = true};
+}
+
+/// Its pixels give the light, so that brightness is a command. `access`: bits of memory access control that it has.
+constexpr DcsPart amoled_part(DcsPart part, std::uint8_t access) {
+  part.format_after_reset = 0x77;
+  part.has_even_windows = true;
+  part.access = access;
+  part.brightness_bits = 0x20;
+  part.is_lit_by_brightness = true;
+  return part;
+}
+
+const DcsPart kCo5300Part = amoled_part(qspi_part("CO5300", 480, 502, kCo5300Commands), 0xCC);
+const DcsPart kSh8601Part = amoled_part(qspi_part("SH8601", 368, 448, kSh8601Commands), 0x48);
+const DcsPart kSt77916Part = qspi_part("ST77916", 360, 360, kSt77916Commands);
 
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code) {
   for (const std::span<const DcsCommand> table : {std::span<const DcsCommand>(kUserCommands), part.own_commands}) {

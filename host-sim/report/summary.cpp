@@ -25,7 +25,7 @@ std::string range(const RunRecord& run, Value value) {
 
 /// Returns the time of the bus for a frame, and how many frames a second it allows at most.
 std::string panel(const RunRecord& run) {
-  // Where only changes are sent, the first frame is sent whole, and the others tell the speed.
+  // If only changes are sent, the first frame is sent whole, and the others tell the speed.
   const std::span frames(run.frames);
   const BusUse& most = std::ranges::max_element(frames.subspan(run.panel->changes && frames.size() > 1 ? 1 : 0), {},
                                                 [](const FrameRecord& frame) { return frame.bus.nanoseconds; })

@@ -21,6 +21,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch"/{home,files}
 export HOME=$scratch/home XDG_CONFIG_HOME=$scratch/home/.config XDG_CACHE_HOME=$scratch/home/.cache TMPDIR=$scratch
+export PYTHONDONTWRITEBYTECODE=1
 # Debian's exporter of glTF needs numpy, which its package does not.
 if ! blender --background --factory-startup --python-exit-code 9 --python-expr 'import numpy' >/dev/null 2>&1; then
   missing "numpy of Blender's Python" python3-numpy

@@ -11,18 +11,8 @@ import traceback
 import addon_utils
 import bpy
 
-ZIP, ZSTRIP, FOLDER = sys.argv[sys.argv.index('--') + 1:]
-failures = []
-
-
-def path(name):
-    return os.path.join(FOLDER, name)
-
-
-def check(what, said):
-    print(('ok      ' if what else 'FAILED  ') + said, flush=True)
-    if not what:
-        failures.append(said)
+sys.path.insert(0, os.path.dirname(__file__))
+from checks import ZIP, ZSTRIP, check, failures, path
 
 
 def equal(found, wanted, said):

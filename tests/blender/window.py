@@ -11,21 +11,12 @@ import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
-ZIP, ZSTRIP, FOLDER = sys.argv[sys.argv.index('--') + 1:]
+sys.path.insert(0, os.path.dirname(__file__))
+from checks import ZIP, ZSTRIP, check, failures, path
+
 TICK = 0.05
 # So often the view is looked at before it is said that nothing more is drawn.
 REST_TICKS = 20
-failures = []
-
-
-def path(name):
-    return os.path.join(FOLDER, name)
-
-
-def check(what, said):
-    print(('ok      ' if what else 'FAILED  ') + said, flush=True)
-    if not what:
-        failures.append(said)
 
 
 def module(name):

@@ -1,4 +1,4 @@
-// What the controllers with MIPI's commands do not share: locked commands, round glasses, sizes and ids.
+// Controllers with MIPI's commands differ in some things: locked commands, round glasses, sizes and ids.
 #include <gtest/gtest.h>
 
 #include <memory>

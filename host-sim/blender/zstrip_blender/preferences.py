@@ -79,15 +79,4 @@ def catalogue():
 
 
 CLASSES = (ZSTRIP_OT_find_command, ZstripPreferences)
-
-
-def register():
-    """Adds the classes to Blender."""
-    for each in CLASSES:
-        bpy.utils.register_class(each)
-
-
-def unregister():
-    """Takes them out again."""
-    for each in reversed(CLASSES):
-        bpy.utils.unregister_class(each)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)
