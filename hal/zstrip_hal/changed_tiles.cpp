@@ -23,10 +23,11 @@ std::uint32_t mixed(std::uint32_t hash, std::uint32_t word, std::uint32_t factor
 
 }  // namespace
 
-std::uint32_t hash_rows(std::uint32_t hash, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
+std::uint32_t hash_rows(std::uint32_t place, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
                         std::uint32_t rows) {
   std::uint32_t factor = 0x9E3779B1U;  // a prime near 2^32 by the golden ratio
   asm("" : "+r"(factor));  // GCC would replace the product by 15 shifts and sums where multipliers may be slow
+  std::uint32_t hash = mixed(place, bytes << 16 | rows, factor);
   for (; rows > 0; --rows, pixels += stride) {
     const std::byte* at = pixels;
     const std::byte* const end = at + bytes;

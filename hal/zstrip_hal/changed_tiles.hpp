@@ -26,9 +26,8 @@ constexpr std::uint32_t changed_tiles(const StripLayout& layout, std::uint16_t w
 
 namespace detail {
 
-/// Continues `hash` with rows of pixels: for each value of the other words, every value of a word of four bytes has
-/// its own result.
-std::uint32_t hash_rows(std::uint32_t hash, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
+/// Returns the hash of a tile: of its place, its size and its rows of pixels. It is never 0.
+std::uint32_t hash_rows(std::uint32_t place, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
                         std::uint32_t rows);
 
 /// Moves rows of `bytes` bytes to `to`, which begins before them or where they do: without gaps.
@@ -40,9 +39,8 @@ void pack_rows(const std::byte* from, std::byte* to, std::uint32_t bytes, std::u
 /// many as changed_tiles() says; what lies beyond them is always sent. A strip with fewer than `tile_rows` rows has
 /// tiles of its height. Frames may write other areas than the frame before; then everything is sent.
 ///
-/// A change of a tile is missed with a probability of 2^-32, and never if only one word of four bytes changed. After
-/// an error the next frame is sent whole. `panel` must outlive it, and must not be written to in another way without
-/// forget(). The same thread may use it as the panel.
+/// A change of a tile is missed with a probability of 2^-32. After an error the next frame is sent whole. `panel` must
+/// outlive it, and must not be written to in another way without forget(). The same thread may use it as the panel.
 template <Display Panel, std::size_t tiles, std::uint16_t tile_rows = 16>
 class ChangedTiles {
  public:
@@ -124,9 +122,7 @@ class ChangedTiles {
       for (std::uint32_t x = 0; x < area.width; x += kTileColumns, ++next_) {
         const std::uint16_t columns = part(area.width, x, kTileColumns), rows = part(area.height, y, tile_rows);
         if (next_ < tiles) {
-          // Tiles of other areas have other hashes.
-          const std::uint32_t place =
-              ((area.left + x) << 16 | (area.top + y)) ^ (std::uint32_t{rows} << 24 | std::uint32_t{columns} << 8);
+          const std::uint32_t place = (area.left + x) << 16 | (area.top + y);
           const std::uint32_t hash =
               detail::hash_rows(place, pixels + y * stride + x / kTileColumns * tile_bytes,
                                 columns == kTileColumns ? tile_bytes : bytes_per_row(columns, format()), stride, rows);
