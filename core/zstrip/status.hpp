@@ -74,7 +74,7 @@ enum class Error : std::uint8_t {
              ///< overlays
   skin,      ///< counts that differ, a parent after its children, weights that do not add up, a joint that does not
              ///< exist or moves its vertices too far away, or a vertex that leaves the mesh's box (`needed` = index of
-             ///< the joint or vertex)
+             ///< the joint or vertex); or a morph target whose runs or weight are out of range (`needed` = its index)
   clipping,  ///< an instance whose box is close to the near plane, or more than a thousand pixels away from the
              ///< picture's centre, in a renderer with effect::unclipped (`needed` = its index)
   blob_depth,  ///< a scene blob for a depth format that was removed (`needed` = its number)

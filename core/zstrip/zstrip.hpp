@@ -7,6 +7,7 @@
 #include "zstrip/effects.hpp"
 #include "zstrip/fixed_renderer.hpp"
 #include "zstrip/layer.hpp"
+#include "zstrip/morph.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/plan.hpp"
 #include "zstrip/renderer.hpp"

@@ -15,6 +15,7 @@ struct Marker {
 };
 inline constexpr Marker kMarkers[] = {
     {{}, "zstrip::skin_mesh("},  // no effect of a renderer: of no program here
+    {{}, "zstrip::morph_mesh("},
     {effect::fog, "zstrip::detail::fog_curve("},
     {effect::fog, "zstrip::detail::visibility("},
     {effect::fog, "zstrip::detail::power_of_half("},

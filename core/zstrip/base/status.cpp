@@ -53,7 +53,7 @@ const char* message(Error error) {
       return "the scene blob is for a depth format that is gone: use z24, or float where memory is short";
     case Error::overlay:
       return "an image, font, sprite or label of the overlay is not valid, or something is drawn over other pixels";
-    case Error::skin: return "a skin is not valid, or its joints move the mesh out of its box";
+    case Error::skin: return "a skin or morph is not valid, or moves the mesh out of its box";
     case Error::clipping: return "an instance comes too close to the camera for a renderer without clipping";
     case Error::outline: return "an outline is not valid, has a hull without normals or is of what is not opaque";
   }

@@ -24,30 +24,6 @@ constexpr bool in_range(const Vec3& scale) {
   return true;
 }
 
-/// Returns the position of `time` between `from` and `to`, 0.16. from <= time < to.
-std::uint32_t fraction(std::uint32_t from, std::uint32_t time, std::uint32_t to) {
-  std::uint32_t length = to - from, passed = time - from;
-  const int shift = 16 - std::countl_zero(length);
-  if (shift > 0) length >>= shift, passed >>= shift;
-  return (passed << 16) / length;
-}
-
-detail::Interval find(std::span<const Keyframe> keyframes, std::uint32_t time) {
-  // Keyframes below `low` are not later than `time`; keyframes from `high` on are later.
-  std::size_t low = 0, high = keyframes.size();
-  while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    if (keyframes[middle].time <= time) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  const Keyframe& from = keyframes[low == 0 ? 0 : low - 1];
-  if (low == 0 || low == keyframes.size()) return {&from, &from, 0};
-  return {&from, &keyframes[low], fraction(from.time, time, keyframes[low].time)};
-}
-
 /// Sets the rows of the rotation, 16.16, from a quaternion, which need not be of unit length.
 void rotate(const detail::Quaternion& quaternion, Fixed (&m)[3][3]) {
   const std::int64_t q[4] = {quaternion.x, quaternion.y, quaternion.z, quaternion.w};
@@ -75,7 +51,7 @@ void rotate(const detail::Quaternion& quaternion, Fixed (&m)[3][3]) {
 namespace detail {
 
 Interval interval_at(const Animation& animation, const Track& track, std::uint32_t time) {
-  return find(animation.keyframes.subspan(track.first, track.count), time % animation.duration);
+  return interval_in(animation.keyframes.subspan(track.first, track.count), time % animation.duration);
 }
 
 Quaternion between(const std::int16_t (&a)[4], const std::int16_t (&b)[4], std::uint32_t share) {

@@ -1,6 +1,8 @@
-// Interpolation between keyframes, for instances and for joints.
+// Interpolation between keyframes, for instances, joints and weights of morph targets.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -9,11 +11,39 @@
 namespace zstrip::detail {
 
 /// The two keyframes around a time, and the position of the time between them (0.16).
-struct Interval {
-  const Keyframe* from;
-  const Keyframe* to;
+template <class Key>
+struct IntervalOf {
+  const Key* from;
+  const Key* to;
   std::uint32_t share;
 };
+using Interval = IntervalOf<Keyframe>;
+
+/// Returns the position of `time` between `from` and `to`, 0.16. from <= time < to.
+inline std::uint32_t fraction(std::uint32_t from, std::uint32_t time, std::uint32_t to) {
+  std::uint32_t length = to - from, passed = time - from;
+  const int shift = 16 - std::countl_zero(length);
+  if (shift > 0) length >>= shift, passed >>= shift;
+  return (passed << 16) / length;
+}
+
+/// Returns the interval around `time` in keyframes of ascending times, at least one.
+template <class Key>
+IntervalOf<Key> interval_in(std::span<const Key> keyframes, std::uint32_t time) {
+  // Keyframes below `low` are not later than `time`; keyframes from `high` on are later.
+  std::size_t low = 0, high = keyframes.size();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (keyframes[middle].time <= time) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  const Key& from = keyframes[low == 0 ? 0 : low - 1];
+  if (low == 0 || low == keyframes.size()) return {&from, &from, 0};
+  return {&from, &keyframes[low], fraction(from.time, time, keyframes[low].time)};
+}
 
 /// Returns the interval of a track at any time.
 Interval interval_at(const Animation& animation, const Track& track, std::uint32_t time);

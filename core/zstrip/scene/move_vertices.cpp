@@ -83,14 +83,7 @@ void move_normals(std::span<const Normal> from, std::span<const VertexJoints> ve
     } else {
       sum = weighted(vertex, matrices.of_joint, at_row);
     }
-    const UnitVector unit = direction_of(sum.x, sum.y, sum.z).unit;
-    const auto square = static_cast<std::uint32_t>(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-    const auto length = static_cast<std::int32_t>(root_of_word(square << 16) >> 4);  // 8.4; large roots are faster
-    const auto component = [length](std::int32_t c) {
-      return static_cast<std::int8_t>(std::clamp<std::int32_t>((c * length + (1 << 17)) >> 18, -128, 127));
-    };
-    to[i].x = component(unit.x), to[i].y = component(unit.y), to[i].z = component(unit.z);
-    to[i].unused = from[i].unused;
+    set_direction(normal, direction_of(sum.x, sum.y, sum.z).unit, to[i]);
   }
 }
 
