@@ -24,7 +24,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
                    "Highlights of a glTF 2.0 file's materials, by their roughness and metal (default: none)");
   command.add_flag(
       "--plain-materials", a.plain_materials,
-      "Draws smooth metals of a model matt, which takes less flash and time (default: they mirror a studio)");
+      "Draws smooth metals matt, which takes less flash and time, and leaves out normal and occlusion maps (default: "
+      "metals mirror a studio, maps are painted into textures)");
   command.add_option("--camera", a.camera, "A camera of a glTF 2.0 file, by its name")->type_name("NAME");
   command.add_option("--eye", a.eye, "Place of the camera, in the model's units")->type_name("X,Y,Z");
   command.add_option("--look-at", a.look_at, "The point that the camera looks at (default: the model's centre)")
@@ -88,7 +89,7 @@ Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::st
   ModelOptions options{.up = *up,
                        .animation = arguments.animation,
                        .highlights = arguments.highlights ? Highlights::of_materials : Highlights::none,
-                       .metals = arguments.plain_materials ? Metals::matt : Metals::mirroring,
+                       .style = arguments.plain_materials ? MaterialStyle::plain : MaterialStyle::rich,
                        .look = look_for_people(format)};
   if (arguments.background) {
     const Result<Colour> background = parse_colour("--background", *arguments.background);

@@ -15,6 +15,7 @@
 #include "import/shown_texels.hpp"
 #include "import/sides.hpp"
 #include "import/surface.hpp"
+#include "import/surface_detail.hpp"
 #include "import/texcoords.hpp"
 #include "import/wraps.hpp"
 #include "text/number.hpp"
@@ -61,8 +62,13 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
   };
 
   tell_step(fmt::format("finding the surfaces of '{}'", file));
+  if (const std::size_t painted = paint_surface_detail(source); painted > 0) {
+    source.warnings.push_back(
+        fmt::format("light and shade of normal and occlusion maps painted into {}: they do not follow lights",
+                    counted(painted, "texture")));
+  }
   show_emission(source);
-  if (shine.metals == Metals::mirroring) show_metals(source);
+  if (shine.style == MaterialStyle::rich) show_metals(source);
   show_wraps(source);
   multiply_unlit_texels(source);
   generate_missing_normals(source);

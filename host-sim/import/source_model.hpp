@@ -70,11 +70,15 @@ struct SourceMaterial {
   std::array<std::uint8_t, 3> specular{};  ///< colour of highlights, black: none
   std::uint8_t shininess = 32;             ///< their exponent
   AlphaMode alpha_mode = AlphaMode::opaque;
-  std::uint8_t alpha = 255;                           ///< of the colour; 255 if alpha has no effect
-  std::uint8_t alpha_cutoff = 128;                    ///< for AlphaMode::mask
-  std::uint32_t texture = kNoSourceTexture;           ///< index into SourceModel::textures
-  std::uint32_t emissive_texture = kNoSourceTexture;  ///< multiplied by `emissive`, at the coordinates of `texture`;
-                                                      ///< index into SourceModel::textures
+  std::uint8_t alpha = 255;                            ///< of the colour; 255 if alpha has no effect
+  std::uint8_t alpha_cutoff = 128;                     ///< for AlphaMode::mask
+  std::uint32_t texture = kNoSourceTexture;            ///< index into SourceModel::textures
+  std::uint32_t emissive_texture = kNoSourceTexture;   ///< multiplied by `emissive`, at the coordinates of `texture`;
+                                                       ///< index into SourceModel::textures
+  std::uint32_t normal_texture = kNoSourceTexture;     ///< a normal map, at the coordinates of `texture`
+  std::uint32_t occlusion_texture = kNoSourceTexture;  ///< an occlusion map in its red channel, likewise
+  double normal_scale = 1;                             ///< of the map's components along the surface
+  double occlusion_strength = 1;                       ///< 0: the map changes nothing, to 1
   std::array<TextureWrap, 2> wrap{TextureWrap::repeat, TextureWrap::repeat};  ///< of u and v
   double metallic = 0;                                                        ///< share of metal, 0..1
   double roughness = 1;                                                       ///< of the surface, 0: a mirror
@@ -90,15 +94,17 @@ enum class Texcoords : std::uint8_t { of_textures, all };
 /// Highlights of materials: removed, because they cost time at each vertex or pixel, or as in the file.
 enum class Highlights : std::uint8_t { none, of_materials };
 
-/// Smooth metals: drawn like a matt surface of their colour, or with an environment map of a studio.
-enum class Metals : std::uint8_t { matt, mirroring };
+/// Plain: a matt surface of the material's colour and texture. Rich: smooth metals have an environment map of a studio,
+/// and normal and occlusion maps are painted into textures.
+enum class MaterialStyle : std::uint8_t { plain, rich };
 
 /// The parts of a file's materials beyond colours and textures that are drawn.
 struct Shine {
   Highlights highlights;
-  Metals metals;
+  MaterialStyle style;
   /// Not explicit, so that either can be written for a Shine.
-  constexpr Shine(Highlights which = Highlights::none, Metals how = Metals::matt) : highlights(which), metals(how) {}
+  constexpr Shine(Highlights which = Highlights::none, MaterialStyle how = MaterialStyle::plain)
+      : highlights(which), style(how) {}
 };
 
 /// The axis of a model that points upwards. Formats differ, and files do not always follow their format.

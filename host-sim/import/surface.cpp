@@ -10,27 +10,13 @@
 #include <numeric>
 #include <span>
 
+#include "import/vectors.hpp"
+
 namespace zstrip::sim {
 namespace {
 
-using Vector = std::array<double, 3>;
-
 Vector difference(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   return {double{a[0]} - double{b[0]}, double{a[1]} - double{b[1]}, double{a[2]} - double{b[2]}};
-}
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-/// Scales by the largest component first: squares of tiny edges would become 0.
-Vector unit(const Vector& v) {
-  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-  if (!(largest > 0)) return {};
-  const Vector scaled{v[0] / largest, v[1] / largest, v[2] / largest};
-  const double scale = length(scaled);
-  return {scaled[0] / scale, scaled[1] / scale, scaled[2] / scale};
 }
 bool is_zero(const std::array<float, 3>& v) { return v == std::array<float, 3>{}; }
 

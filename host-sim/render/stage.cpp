@@ -267,7 +267,7 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
   if (kind_of_scene(name) == SceneKind::baked) return open_blob_stage(name, options, view, frames);
   if (kind_of_scene(name) == SceneKind::composed) return open_composed_stage(name, options, view, frames);
   Result<Model> model = import_model(name, model_options.up, Texcoords::of_textures, BackFaces::lit_alike,
-                                     {model_options.highlights, model_options.metals}, model_options.reduction);
+                                     {model_options.highlights, model_options.style}, model_options.reduction);
   if (!model) return model.failure();
   light_at_pixels(*model);
   Result<ModelMotion> motion = motion_of(*model, model_options.animation, name);

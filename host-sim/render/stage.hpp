@@ -69,7 +69,7 @@ struct ModelOptions {
   std::optional<UpAxis> up{};              ///< the axis that points upwards; empty: the format's axis
   std::optional<std::string> animation{};  ///< its name; empty: the first one, if there is one
   Highlights highlights = Highlights::none;
-  Metals metals = Metals::matt;
+  MaterialStyle style = MaterialStyle::plain;
   Reduction reduction{};
   DefaultLook look{};  ///< of a model; lights of its file take the place of the look's
 };

@@ -11,6 +11,7 @@
 #include "gltf_file.hpp"
 #include "import/model.hpp"
 #include "import/read_model.hpp"
+#include "render/default_look.hpp"
 #include "render/render_frame.hpp"
 #include "render/stage.hpp"
 #include "support.hpp"
@@ -215,6 +216,88 @@ TEST_F(GltfSurface, EmissionThatAloneIsSeenHasItsTexture) {
   const Model lit = model(square(R"({"name":"lamp",)" + emission + "}", kWhole, kBrick));
   ASSERT_EQ(lit.warnings.size(), 1U);
   EXPECT_NE(lit.warnings[0].find("material 'lamp' drawn with its emission lit"), std::string::npos) << lit.warnings[0];
+}
+
+/// Normal and occlusion maps were left out.
+class GltfSurfaceDetail : public GltfSurface {
+ protected:
+  /// A square with a grey base texture, a picture of 2x2 as its map, and these texture coordinates.
+  static std::string mapped(const std::string& material, const std::vector<float>& texcoords, const std::string& map) {
+    std::string text = square(material, texcoords,
+                              rgba_png(2, 2,
+                                       {120, 120, 120, 255, 120, 120, 120, 255,  //
+                                        120, 120, 120, 255, 120, 120, 120, 255}));
+    const auto add = [&](const std::string& before, const std::string& more) {
+      text.insert(text.find(before) + before.size(), more);
+    };
+    add(R"("textures":[)", R"({"source":1},)");
+    add(R"("images":[)", R"({"uri":"data:image/png;base64,)" + base64(map) + R"("},)");
+    // The base texture, which was the first, is now the second of both.
+    const std::string first = R"({"source":1},{"source":0,)", second = R"({"source":0},{"source":1,)";
+    text.replace(text.find(first), first.size(), second);
+    return text;
+  }
+  /// The base texture's green, 0 to 63, of the texels left and right in the upper row.
+  std::array<int, 2> greens(const std::string& text, MaterialStyle style = MaterialStyle::rich) const {
+    const Result<Model> imported = import_model(file("model.gltf", text), {}, Texcoords::of_textures,
+                                                BackFaces::lit_alike, {Highlights::none, style});
+    EXPECT_TRUE(imported) << imported.failure().message;
+    if (!imported || imported->texels.size() != 1) return {};
+    return {imported->texels[0][0] >> 5 & 63, imported->texels[0][1] >> 5 & 63};
+  }
+  /// The default light of models on a wall that faces +z, once its normal is bent to (x, y, z), and a share of the
+  /// light from all sides is left; relative to the flat wall.
+  static double expected(double x, double y, double z, double seen = 1) {
+    const DefaultLook look = look_for_people(PixelFormat::rgb565);
+    const double length = std::hypot(0.1, 0.8, 0.6);
+    const auto light = [&](double nx, double ny, double nz, double share) {
+      const double cosine = std::max((0.1 * nx + 0.8 * ny + 0.6 * nz) / length, 0.0);
+      return look.ambient.g * share + look.light.colour.g * cosine;
+    };
+    return std::clamp(light(x, y, z, seen) / light(0, 0, 1, 1), 0.5, 1.5);
+  }
+  static void expect_times(const std::array<int, 2>& greens, double left, double right) {
+    EXPECT_NEAR(greens[0], 120 * left * 63 / 255, 0.75);
+    EXPECT_NEAR(greens[1], 120 * right * 63 / 255, 0.75);
+  }
+};
+
+/// (0.6, 0, 0.8) and (0, -0.6, 0.8) of each row.
+const std::string kBent =
+    rgba_png(2, 2, {204, 128, 230, 255, 128, 51, 230, 255, 204, 128, 230, 255, 128, 51, 230, 255});
+
+const std::string kBase = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":1}})";
+const std::string kBumpy = "{" + kBase + R"(,"normalTexture":{"index":0}})";
+
+TEST_F(GltfSurfaceDetail, NormalMapsArePaintedIntoTheTexels) {
+  const double right = expected(0.6, 0, 0.8), down = expected(0, -0.6, 0.8), up = expected(0, 0.6, 0.8);
+  expect_times(greens(mapped(kBumpy, kWhole, kBent)), right, down);
+  // Repeated three times.
+  expect_times(greens(mapped(kBumpy, {0, 3, 3, 3, 3, 0, 0, 0}, kBent)), right, down);
+  // The texture is rotated: its right side is up, and its lower side to the right.
+  expect_times(greens(mapped(kBumpy, {0, 0, 0, 1, 1, 1, 1, 0}, kBent)), up, right);
+  // Mirrored.
+  expect_times(greens(mapped(kBumpy, {1, 1, 0, 1, 0, 0, 1, 0}, kBent)), expected(-0.6, 0, 0.8), down);
+}
+
+TEST_F(GltfSurfaceDetail, OcclusionDimsTheLightFromAllSides) {
+  const std::string hidden = rgba_png(2, 2, {0, 255, 255, 255, 255, 0, 0, 255, 0, 255, 255, 255, 255, 0, 0, 255});
+  const auto material = [](const std::string& strength) {
+    return "{" + kBase + R"(,"occlusionTexture":{"index":0)" + strength + "}}";
+  };
+  expect_times(greens(mapped(material(""), kWhole, hidden)), expected(0, 0, 1, 0), 1);
+  expect_times(greens(mapped(material(R"(,"strength":0.5)"), kWhole, hidden)), expected(0, 0, 1, 0.5), 1);
+}
+
+TEST_F(GltfSurfaceDetail, MapsThatNoTexelCanShowAreNamed) {
+  expect_times(greens(mapped(kBumpy, kWhole, kBent), MaterialStyle::plain), 1, 1);
+  const std::string elsewhere = "{" + kBase + R"(,"normalTexture":{"index":0,"texCoord":1}})";
+  const Result<Model> imported =
+      import_model(file("model.gltf", mapped(elsewhere, kWhole, kBent)), {}, Texcoords::of_textures,
+                   BackFaces::lit_alike, {Highlights::none, MaterialStyle::rich});
+  ASSERT_TRUE(imported);
+  EXPECT_EQ(imported->warnings, std::vector<std::string>{"1 material drawn without normal maps: a map needs a base "
+                                                         "texture at the same coordinates"});
 }
 
 TEST_F(GltfSurface, PicturesInWebp) {

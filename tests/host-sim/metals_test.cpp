@@ -14,12 +14,12 @@ namespace {
 
 class ModelMetals : public FolderTest {
  protected:
-  Model read(const GltfFile& gltf, Metals metals = Metals::mirroring) const {
-    return read(gltf.text(), "m.gltf", metals);
+  Model read(const GltfFile& gltf, MaterialStyle style = MaterialStyle::rich) const {
+    return read(gltf.text(), "m.gltf", style);
   }
-  Model read(const std::string& text, const std::string& name, Metals metals = Metals::mirroring) const {
+  Model read(const std::string& text, const std::string& name, MaterialStyle style = MaterialStyle::rich) const {
     Result<Model> model =
-        import_model(file(name, text), {}, Texcoords::of_textures, BackFaces::lit_alike, {Highlights::none, metals});
+        import_model(file(name, text), {}, Texcoords::of_textures, BackFaces::lit_alike, {Highlights::none, style});
     EXPECT_TRUE(model) << model.failure().message;
     return model ? std::move(*model) : Model();
   }
@@ -81,8 +81,8 @@ TEST_F(ModelMetals, WhatIsNoSmoothMetalIsDrawnAsBefore) {
     EXPECT_FALSE(mirrors(read({.materials = {material}, .nodes = {kNode}}))) << material;
   }
   const GltfFile gold{.materials = {metal(kGold)}, .nodes = {kNode}};
-  EXPECT_FALSE(mirrors(read(gold, Metals::matt)));
-  EXPECT_TRUE(read(gold, Metals::matt).textures.empty());
+  EXPECT_FALSE(mirrors(read(gold, MaterialStyle::plain)));
+  EXPECT_TRUE(read(gold, MaterialStyle::plain).textures.empty());
 }
 
 /// A night scene would have glowing metals.
@@ -110,9 +110,9 @@ TEST_F(ModelMetals, TextureOfRoughnessAndMetalCountsByItsMean) {
 TEST_F(ModelMetals, SpecularGlossinessOfGoldIsGold) {
   const std::string gold = R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0,0,0,1],)"
                            R"("specularFactor":[1,0.766,0.336],"glossinessFactor":0.8}}})";
-  for (const Metals metals : {Metals::matt, Metals::mirroring}) {
-    const Model older = read({.materials = {gold}, .nodes = {kNode}}, metals);
-    const Model newer = read({.materials = {metal(kGold)}, .nodes = {kNode}}, metals);
+  for (const MaterialStyle style : {MaterialStyle::plain, MaterialStyle::rich}) {
+    const Model older = read({.materials = {gold}, .nodes = {kNode}}, style);
+    const Model newer = read({.materials = {metal(kGold)}, .nodes = {kNode}}, style);
     EXPECT_EQ(older.materials.at(older.instances.at(0).material).colour,
               newer.materials.at(newer.instances.at(0).material).colour);
     EXPECT_EQ(older.texels, newer.texels);
@@ -135,12 +135,12 @@ TEST_F(ModelMetals, ObjWithMetalAndRoughnessMirrors) {
 
 TEST_F(ModelMetals, PictureCallsForAnEnvironment) {
   const std::string path = file("m.gltf", GltfFile{.materials = {metal(kGold)}, .nodes = {kNode}}.text());
-  for (const Metals metals : {Metals::matt, Metals::mirroring}) {
-    const auto stage = open_stage(path, {.metals = metals}, {}, {64, 48}, 1);
+  for (const MaterialStyle style : {MaterialStyle::plain, MaterialStyle::rich}) {
+    const auto stage = open_stage(path, {.style = style}, {}, {64, 48}, 1);
     ASSERT_TRUE(stage) << stage.failure().message;
     const Result<Staging> staging = (*stage)->place(0, 1);
     ASSERT_TRUE(staging);
-    EXPECT_EQ(effects_of(staging->scene, staging->camera).has(effect::environment), metals == Metals::mirroring);
+    EXPECT_EQ(effects_of(staging->scene, staging->camera).has(effect::environment), style == MaterialStyle::rich);
   }
 }
 

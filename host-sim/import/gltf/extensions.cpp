@@ -1,4 +1,4 @@
-// Extensions of a glTF file, and maps of its materials that are not drawn.
+// Extensions of a glTF file.
 #include "import/gltf/extensions.hpp"
 
 #include <fmt/format.h>
@@ -25,11 +25,11 @@ constexpr std::array<std::string_view, 14> kRead{"EXT_mesh_gpu_instancing", "EXT
 /// An extension of glTF 1.0; files with it also have materials.
 constexpr std::string_view kTechnique = "KHR_technique_webgl";
 
-/// The features that are missing in the picture without an extension or a member of a material.
+/// The features that are missing in the picture without an extension.
 struct Lacking {
   std::string_view name, what;
 };
-constexpr std::array<Lacking, 14> kLacking{{
+constexpr std::array<Lacking, 12> kLacking{{
     {"EXT_lights_image_based", "light of an environment"},
     {"KHR_animation_pointer", "animations of materials, lights and cameras"},
     {"KHR_materials_anisotropy", "brushed highlights"},
@@ -42,8 +42,6 @@ constexpr std::array<Lacking, 14> kLacking{{
     {"KHR_materials_volume", "depth of glass"},
     {kTechnique, "shaders of its own"},
     {"KHR_texture_basisu", "pictures in KTX 2"},
-    {"normalTexture", "normal maps"},
-    {"occlusionTexture", "occlusion maps"},
 }};
 
 std::set<std::string> names_in(const GltfJson& json, const char* key) {
@@ -60,8 +58,7 @@ std::string lacking_of(const std::string& name) {
   return known == kLacking.end() ? "not known" : std::string(known->what);
 }
 
-/// Returns the extensions and the maps that the file has. Lit materials alone have a use for maps; their extensions
-/// count where the file does not list them, too.
+/// Returns the extensions that the file has. Those of lit materials count where the file does not list them, too.
 std::set<std::string> names_used(const GltfJson& json) {
   std::set<std::string> names = names_in(json, "extensionsUsed");
   for (std::size_t i = 0; i < count_of(json, "materials"); ++i) {
@@ -70,7 +67,7 @@ std::set<std::string> names_used(const GltfJson& json) {
     for (const Lacking& lacking : kLacking) {
       const std::string name(lacking.name);
       const char* const key = name.c_str();
-      if (member(material, key).is_object() || extension(material, key).is_object()) names.insert(name);
+      if (extension(material, key).is_object()) names.insert(name);
     }
   }
   return names;

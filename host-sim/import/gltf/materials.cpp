@@ -13,6 +13,7 @@
 #include "import/gltf/specular_glossiness.hpp"
 #include "import/metals.hpp"
 #include "import/screen_channel.hpp"
+#include "text/number.hpp"
 #include "text/text.hpp"
 
 namespace zstrip::sim {
@@ -48,6 +49,14 @@ void GltfMaterials::read_all() {
   }
   model_.materials.push_back({.name = "", .double_sided = false});
   texcoords_.resize(model_.materials.size());
+  const auto tell = [this](std::size_t count, const char* maps) {
+    if (count == 0) return;
+    const bool rich = shine_.style == MaterialStyle::rich;
+    model_.warnings.push_back(fmt::format("{} drawn without {}{}", counted(count, "material"), maps,
+                                          rich ? ": a map needs a base texture at the same coordinates" : ""));
+  };
+  tell(without_normals_, "normal maps");
+  tell(without_occlusion_, "occlusion maps");
 }
 
 std::uint32_t GltfMaterials::material_of(const GltfJson& primitive) const {
@@ -71,6 +80,7 @@ SourceMaterial GltfMaterials::read(const GltfJson& from, GltfTexcoords& texcoord
       is_older ? read_specular_glossiness(base, to) : textures_.use_of(base, "baseColorTexture");
   if (to.lit && !is_older) read_shine(from, texture.has_value(), to);
   texcoords = read_textures(texture, to.lit ? read_emission(from, texture, to) : std::nullopt, to);
+  if (to.lit) read_maps(from, texture, to);
   return to;
 }
 
@@ -92,7 +102,7 @@ void GltfMaterials::read_shine(const GltfJson& from, bool textured, SourceMateri
   to.roughness = share(number_in(base, "roughnessFactor", 1));
   const bool shines = shine_.highlights == Highlights::of_materials;
   // Its picture takes time to decode: only where it can change something.
-  const bool mirrors = shine_.metals == Metals::mirroring && !textured && to.metallic >= kMinMetal;
+  const bool mirrors = shine_.style == MaterialStyle::rich && !textured && to.metallic >= kMinMetal;
   GltfRoughness mean;
   const auto texture = textures_.use_of(base, "metallicRoughnessTexture");
   if (texture && (shines || mirrors)) {
@@ -127,6 +137,24 @@ std::optional<GltfTextureUse> GltfMaterials::read_specular_glossiness(const Gltf
   to.colour = specular_texture ? on_screen(specular[0], specular[1], specular[2])
                                : on_screen(base.colour[0], base.colour[1], base.colour[2]);
   return specular_texture;
+}
+
+void GltfMaterials::read_maps(const GltfJson& from, const std::optional<GltfTextureUse>& base, SourceMaterial& to) {
+  const auto read_map = [&](const char* key, std::uint32_t& texture, std::size_t& without) {
+    const std::optional<GltfTextureUse> map = textures_.use_of(from, key);
+    if (!map) return;
+    const bool fits = base && to.texture != kNoSourceTexture && map->texcoords == base->texcoords;
+    if (fits && shine_.style == MaterialStyle::rich) {
+      texture = textures_.read(map->texture);
+    } else {
+      ++without;
+    }
+  };
+  read_map("normalTexture", to.normal_texture, without_normals_);
+  read_map("occlusionTexture", to.occlusion_texture, without_occlusion_);
+  constexpr double kMaxScale = 100;
+  to.normal_scale = std::clamp(number_in(member(from, "normalTexture"), "scale", 1), -kMaxScale, kMaxScale);
+  to.occlusion_strength = share(number_in(member(from, "occlusionTexture"), "strength", 1));
 }
 
 GltfTexcoords GltfMaterials::read_textures(const std::optional<GltfTextureUse>& texture,

@@ -1,6 +1,7 @@
 // Converts materials of a glTF file to source materials.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -36,12 +37,15 @@ class GltfMaterials {
   /// Reads both textures if they can be shown together, else the one that can.
   GltfTexcoords read_textures(const std::optional<GltfTextureUse>& texture, std::optional<GltfTextureUse> emission,
                               SourceMaterial& to);
+  /// Reads the normal and the occlusion map if they lie like the base texture.
+  void read_maps(const GltfJson& from, const std::optional<GltfTextureUse>& base, SourceMaterial& to);
 
   const GltfJson& json_;
   GltfTextures& textures_;
   Shine shine_;
   SourceModel& model_;
   std::vector<GltfTexcoords> texcoords_;
+  std::size_t without_normals_ = 0, without_occlusion_ = 0;  ///< materials whose map is not drawn
 };
 
 }  // namespace zstrip::sim
