@@ -54,7 +54,21 @@ typedef struct {
   uint16_t left, top, width, height;  ///< pixels of the picture
   const void* pixels;                 ///< valid until zstrip_take returns
   size_t bytes;                       ///< bytes of all rows
+  const uint8_t* mask;  ///< null, or directly after the pixels a byte each: 255 if something was drawn, 0 if not
 } zstrip_strip;
+
+/** A rectangle of the picture. */
+typedef struct {
+  uint16_t left, top, width, height;  ///< pixels
+} zstrip_area;
+
+/** How a picture is planned. */
+typedef struct {
+  uint16_t strip_rows;  ///< rows of a strip, if a plan with so many fits; 0: the planner decides
+  uint16_t row_step;    ///< strips have a multiple of so many rows: 1, or 8 for displays with bytes of eight rows
+  int masked;           ///< not 0: strips have a mask, for a byte more for each pixel of a strip
+  int tracks_changes;   ///< not 0: zstrip_player_changed knows single instances, for 12 bytes each
+} zstrip_fit_options;
 
 /** Sends a strip to the display. Returns 0 to end the frame. */
 typedef int (*zstrip_take)(void* context, const zstrip_strip* strip);
@@ -64,22 +78,44 @@ typedef int (*zstrip_take)(void* context, const zstrip_strip* strip);
  * zstrip_player_error says so. */
 zstrip_player* zstrip_player_in(void* memory, size_t bytes, const zstrip_pipeline* pipeline);
 
-/* The next four functions return 0 after a fault: zstrip_player_error explains it. */
+/* The next functions, to zstrip_player_pick, return 0 after a fault: zstrip_player_error explains it. */
 
 /** Opens a .zsc file in place; its address must be a multiple of 4. Any bytes are safe; null is an error. */
 int zstrip_player_open(zstrip_player* player, const void* scene, size_t bytes);
 /** Plans a picture. Strips have a multiple of `row_step` rows: 1, or 8 for displays with bytes of eight rows. */
 int zstrip_player_fit(zstrip_player* player, uint16_t width, uint16_t height, zstrip_format format, uint16_t row_step);
+/** Plans a picture with these options. */
+int zstrip_player_fit_with(zstrip_player* player, uint16_t width, uint16_t height, zstrip_format format,
+                           const zstrip_fit_options* options);
 /** Draws a frame: passes each strip to `take`, with `context`. A null `take` is an error. */
 int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context);
-/** Finds what a pixel of the picture shows, in the frame that was begun last, by zstrip_player_fit or _draw. A null
- * `picker` is an error; a null `picked` gets nothing. */
+/** Begins a frame at the time and from the place that were set last, for zstrip_player_strip, _draw_area and _pick. */
+int zstrip_player_begin(zstrip_player* player);
+/** Draws the strip that has row `y` of the frame that was begun last. Its pixels are valid until the next call that
+ * draws or begins. The strip that was drawn last is not drawn again. */
+int zstrip_player_strip(zstrip_player* player, uint16_t y, zstrip_strip* strip);
+/** Draws a rectangle of the frame that was begun last: the pixels of the whole picture. `pixels`: its upper left pixel,
+ * with `bytes` from there on; its rows are `stride` bytes apart. `mask`: null, or the mask of the first pixel; its rows
+ * are `mask_stride` bytes apart, and it has as many rows as the rectangle. */
+int zstrip_player_draw_area(zstrip_player* player, const zstrip_area* area, void* pixels, size_t bytes, size_t stride,
+                            uint8_t* mask, size_t mask_stride);
+/** Finds what a pixel of the picture shows, in the frame that was begun last, by zstrip_player_fit, _draw or _begin. A
+ * null `picker` is an error; a null `picked` gets nothing. */
 int zstrip_player_pick(zstrip_player* player, const zstrip_picker* picker, uint16_t x, uint16_t y,
                        zstrip_picked* picked);
 
+/** Sets `area` to a rectangle outside of which the frame that was begun last equals the frame that was begun when this
+ * function was called before. It has no pixels (width 0) if nothing changed, and is the whole picture after a fit. */
+void zstrip_player_changed(zstrip_player* player, zstrip_area* area);
+/** The background of the scene itself. */
+#define ZSTRIP_BAKED_BACKGROUND 0xFFFFFFFFU
+/** Replaces the background of the scene by 0xRRGGBB, or shows ZSTRIP_BAKED_BACKGROUND again, from the next frame on. */
+void zstrip_player_background(zstrip_player* player, uint32_t colour);
 /** Sets the time, in milliseconds of any clock. After the first call the animation runs; a scene without an animation
  * rotates. */
 void zstrip_player_play(zstrip_player* player, uint32_t milliseconds);
+/** Returns how long the motion takes, in milliseconds, at least 1. */
+uint32_t zstrip_player_period(zstrip_player* player);
 /** Pauses the motion; 0 continues it. */
 void zstrip_player_hold(zstrip_player* player, int held);
 /** Sets the motion to a time, in milliseconds from its beginning. */
@@ -91,7 +127,7 @@ void zstrip_player_zoom(zstrip_player* player, uint16_t percent);
 /** Shows the first 24 bytes of `text`, none if it is null, and frames a second if `with_rate` is not 0; needs
  * effect::overlay. */
 void zstrip_player_show_text(zstrip_player* player, const char* text, int with_rate);
-/** Returns a message about the fault of the last zstrip_player_open, fit, draw or pick, valid until this function is
+/** Returns a message about the fault of the last function that returns 0 after one, valid until this function is
  * called again; "" if there was none. */
 const char* zstrip_player_error(zstrip_player* player);
 

@@ -74,6 +74,13 @@ void touched() {
   // docs/player.md: Which part was touched
 }
 
+void in_part() {
+  constexpr std::size_t kColumns = 160;
+  static std::array<std::byte, 2 * kColumns * 120> pixels;
+  static std::array<std::uint8_t, kColumns * 120> mask;
+  // docs/player.md: A part of a larger picture
+}
+
 namespace card {
 constexpr int kCardSelect = 4;
 struct File {

@@ -8,10 +8,20 @@
 struct zstrip_player : zstrip::Player {
   using Player::Player;
   int refuse_null_take() { return fail(Fault::null_take) ? 1 : 0; }
+  int refuse_area() { return fail(Fault::area) ? 1 : 0; }
 };
 
 static_assert(static_cast<int>(zstrip::kLastPixelFormat) == ZSTRIP_XRGB8888);
 static_assert(static_cast<int>(zstrip::Shown::label) == ZSTRIP_LABEL);
+
+namespace {
+
+zstrip_strip strip_of(const zstrip::Rect& area, std::span<const std::byte> pixels, const std::uint8_t* mask) {
+  const auto side = [](std::int32_t length) { return static_cast<std::uint16_t>(length); };
+  return {side(area.left), side(area.top), side(area.width()), side(area.height()), pixels.data(), pixels.size(), mask};
+}
+
+}  // namespace
 
 zstrip_player* zstrip_player_in(void* memory, std::size_t bytes, const zstrip_pipeline* pipeline) {
   if (memory == nullptr || pipeline == nullptr || pipeline->choose == nullptr) return nullptr;
@@ -29,17 +39,59 @@ int zstrip_player_open(zstrip_player* player, const void* scene, std::size_t byt
 }
 int zstrip_player_fit(zstrip_player* player, std::uint16_t width, std::uint16_t height, zstrip_format format,
                       std::uint16_t row_step) {
+  const zstrip_fit_options options{0, row_step, 0, 0};
+  return zstrip_player_fit_with(player, width, height, format, &options);
+}
+int zstrip_player_fit_with(zstrip_player* player, std::uint16_t width, std::uint16_t height, zstrip_format format,
+                           const zstrip_fit_options* options) {
+  if (player == nullptr) return 0;
+  const zstrip_fit_options wanted = options != nullptr ? *options : zstrip_fit_options{};
   // An unknown number must not become a valid format when it is cut to a byte.
   const auto pixels = static_cast<zstrip::PixelFormat>(std::min<unsigned>(format, 0xFF));
-  return player != nullptr && player->fit(width, height, pixels, {}, row_step) ? 1 : 0;
+  const zstrip::FitOptions fit{
+      .strip_rows = wanted.strip_rows, .masked = wanted.masked != 0, .tracks_changes = wanted.tracks_changes != 0};
+  return player->fit(width, height, pixels, fit, wanted.row_step) ? 1 : 0;
+}
+int zstrip_player_begin(zstrip_player* player) { return player != nullptr && player->begin() ? 1 : 0; }
+int zstrip_player_strip(zstrip_player* player, std::uint16_t y, zstrip_strip* strip) {
+  if (player == nullptr) return 0;
+  if (strip == nullptr) return player->refuse_area();
+  *strip = {};
+  const std::uint16_t rows = player->plan().strip_rows;
+  zstrip::DrawnStrip drawn;
+  if (!player->draw_strip(rows == 0 ? 0 : static_cast<std::uint16_t>(y / rows), drawn)) return 0;
+  *strip = strip_of(drawn.area, drawn.pixels, drawn.mask.data());
+  return 1;
+}
+int zstrip_player_draw_area(zstrip_player* player, const zstrip_area* area, void* pixels, std::size_t bytes,
+                            std::size_t stride, std::uint8_t* mask, std::size_t mask_stride) {
+  if (player == nullptr) return 0;
+  if (area == nullptr || pixels == nullptr) return player->refuse_area();
+  const zstrip::Rect rectangle{area->left, area->top, area->left + area->width, area->top + area->height};
+  // The caller says that its mask has as many rows as the rectangle.
+  const std::size_t mask_bytes =
+      mask != nullptr && area->height != 0 && area->width != 0 ? mask_stride * (area->height - 1U) + area->width : 0;
+  const bool right =
+      player->draw_area(rectangle, {static_cast<std::byte*>(pixels), bytes}, stride, {mask, mask_bytes}, mask_stride);
+  return right ? 1 : 0;
+}
+void zstrip_player_changed(zstrip_player* player, zstrip_area* area) {
+  if (area == nullptr) return;
+  const zstrip::Rect changed = player != nullptr ? player->changed() : zstrip::Rect{};
+  const auto side = [](std::int32_t length) { return static_cast<std::uint16_t>(length); };
+  *area = {side(changed.left), side(changed.top), side(changed.width()), side(changed.height())};
+}
+void zstrip_player_background(zstrip_player* player, std::uint32_t colour) {
+  if (player == nullptr) return;
+  if (colour > 0xFFFFFF) return player->baked_background();
+  const auto channel = [colour](int shift) { return static_cast<std::uint8_t>(colour >> shift); };
+  player->background({channel(16), channel(8), channel(0), 255});
 }
 int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context) {
   if (player == nullptr) return 0;
   if (take == nullptr) return player->refuse_null_take();
   const auto drawn = player->draw_strips([&](const zstrip::Rect& area, std::span<const std::byte> pixels) {
-    const auto side = [](std::int32_t length) { return static_cast<std::uint16_t>(length); };
-    const zstrip_strip strip{side(area.left),     side(area.top), side(area.width()),
-                             side(area.height()), pixels.data(),  pixels.size()};
+    const zstrip_strip strip = strip_of(area, pixels, nullptr);
     return take(context, &strip) != 0;
   });
   return drawn ? 1 : 0;
@@ -59,6 +111,7 @@ int zstrip_player_pick(zstrip_player* player, const zstrip_picker* picker, std::
 void zstrip_player_play(zstrip_player* player, std::uint32_t milliseconds) {
   if (player != nullptr) player->play(milliseconds);
 }
+std::uint32_t zstrip_player_period(zstrip_player* player) { return player != nullptr ? player->period() : 1; }
 void zstrip_player_hold(zstrip_player* player, int held) {
   if (player != nullptr) player->hold(held != 0);
 }

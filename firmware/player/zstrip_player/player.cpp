@@ -136,15 +136,33 @@ bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
                 .split_columns = options.split_columns,
                 .strip_buffers = buffers};
   const SceneCounts counts = count(baked_.scene);
-  PlanResult planned = zstrip::plan(counts, view_, drawn_with_.effects, budget);
+  const std::uint32_t all_bytes = budget.bytes;
+  const auto mask_bytes = [this](const Plan& plan) {
+    return masked_ ? std::uint32_t{plan.strip_columns} * plan.strip_rows : 0;
+  };
+  // The planner does not know the mask: it gets fewer bytes until the mask fits, too.
+  const auto plan_all = [&] {
+    budget.bytes = all_bytes;
+    while (true) {
+      PlanResult result = zstrip::plan(counts, view_, drawn_with_.effects, budget);
+      const std::uint64_t bytes = std::uint64_t{result.plan.bytes()} +
+                                  std::uint64_t{buffers} * result.plan.strip_pixel_bytes(view_) +
+                                  mask_bytes(result.plan);
+      if (!result.status)
+        result.status.needed = saturated(std::uint64_t{result.status.needed} + mask_bytes(result.plan));
+      if (!result.status || bytes <= all_bytes) return result;
+      budget.bytes -= std::min(saturated(bytes - all_bytes), budget.bytes - 1);
+    }
+  };
+  PlanResult planned = plan_all();
   if (!planned.status && budget.strip_rows != 0) {
     budget.strip_rows = 0;
-    planned = zstrip::plan(counts, view_, drawn_with_.effects, budget);
+    planned = plan_all();
   }
   if (row_step > 1 && planned.plan.strip_rows % row_step != 0) {
     const int rows = std::max<int>(row_step, planned.plan.strip_rows / row_step * row_step);
     budget.strip_rows = static_cast<std::uint16_t>(std::min<int>(rows, view_.height));
-    planned = zstrip::plan(counts, view_, drawn_with_.effects, budget);
+    planned = plan_all();
   }
   if (!planned.status) {
     if (planned.status.error == Error::arena_too_small) {
@@ -155,7 +173,8 @@ bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
   }
   plan_ = planned.plan;
   arena_ = take(plan_.bytes());
-  strips_[0] = take(plan_.strip_pixel_bytes(view_));
+  const std::uint32_t pixels = plan_.strip_pixel_bytes(view_);
+  strips_[0] = take(pixels + mask_bytes(plan_)).first(pixels);  // the mask of a strip follows its pixels
   strips_[1] = buffers > 1 ? take(plan_.strip_pixel_bytes(view_)) : std::span<std::byte>();
   return true;
 }
@@ -177,6 +196,13 @@ bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat form
   missing_ = missing_effects(called_for, drawn_with_.effects);
   if (missing_ != Effects{}) return fail(Fault::effects);
 
+  reaches_far_ = called_for.any(effect::shadows | effect::csg | effect::outlines | effect::edges | effect::skins);
+  masked_ = options.masked;
+  if (masked_ && is_narrow(format)) return fail(Fault::mask_format);
+  seen_ = {};
+  if (!take_table(options.tracks_changes ? baked_.scene.instances.size() : 0, seen_instances_, Fault::motion_memory)) {
+    return false;
+  }
   const bool has_tracks = !baked_.animation.tracks.empty();
   const bool turns_instances =
       baked_.turn.what == Turning::instances || baked_.turn.what == Turning::instances_and_lines;
@@ -296,6 +322,7 @@ bool Player::stage() {
     staged_ = scenes::stage({baked_.scene, camera, baked_.animation, baked_.turn}, time_, period(),
                             {.instances = instances_, .lines = lines_});
   }
+  if (has_background_) staged_.scene.background = background_;
   if (text_[0] == 0) return true;
   missing_ = effect::overlay;
   if (labels_.empty()) return fail(Fault::effects);
@@ -308,6 +335,7 @@ bool Player::begin() {
   if (!is_open_) return fail(Fault::not_open);
   if (!is_fitted_) return fail(Fault::not_fitted);
   if (!stage()) return false;
+  kept_strip_ = kNoStrip;
   const Status begun = drawn_with_.pipeline.begin_frame(state_, staged_.scene, staged_.camera, view_, plan_, arena_);
   return begun || fail(Fault::frame, begun);
 }

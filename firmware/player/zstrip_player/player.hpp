@@ -44,6 +44,15 @@ struct FitOptions {
   /// fastest number may still save time: the bus has less to send before the first strip is drawn and after the last
   /// one.
   std::uint16_t strip_rows = 0;
+  bool masked = false;          ///< strips have a mask: a byte more for each pixel of a strip
+  bool tracks_changes = false;  ///< changed() knows single instances: 12 bytes more for each instance
+};
+
+/// A strip of a frame.
+struct DrawnStrip {
+  Rect area;                             ///< pixels of the picture
+  std::span<const std::byte> pixels;     ///< rows without gaps, in the view's format
+  std::span<const std::uint8_t> mask{};  ///< a byte a pixel, directly after `pixels`; empty unless FitOptions::masked
 };
 
 /// After a fault a call returns false, and error() says why; the next call may try again. `memory` holds all data that
@@ -114,11 +123,37 @@ class Player {
       const auto width = static_cast<std::uint16_t>(area.width());
       const std::span<std::byte> pixels =
           strip(0).first(static_cast<std::size_t>(area.height()) * bytes_per_row(width, view_.format));
-      if (const Status drawn = draw_strip(i, strip(0)); !drawn) return end(drawn, {});
+      if (const Status drawn = draw_into(i, strip(0)); !drawn) return end(drawn, {});
       if (!take(area, std::span<const std::byte>(pixels))) return fail(Fault::not_taken);
     }
     return end({}, {});
   }
+
+  /// Begins a frame at the time and from the place that were set last, for the next three functions and for pick.
+  bool begin();
+  /// Draws a strip of the frame that was begun last. `drawn` is valid until the next call that draws or begins. The
+  /// strip that was drawn last is not drawn again. A byte of the mask is 255 where something was drawn, also partly,
+  /// and 0 where only the background is seen. It is exact for opaque surfaces. A blended surface, sprite or label of
+  /// exactly the background's colour is not in it, nor are those of dithered scenes with fog.
+  bool draw_strip(std::uint16_t number, DrawnStrip& drawn);
+  /// Draws the pixels of `area` of the frame that was begun last: those of the whole picture, in the view's format.
+  /// `pixels`: the upper left pixel of `area`; its rows are `stride` bytes apart, and each starts at a byte. `mask`:
+  /// its bytes, `mask_stride` apart, if it is not empty. Nothing between the rows is written.
+  bool draw_area(const Rect& area, std::span<std::byte> pixels, std::size_t stride, std::span<std::uint8_t> mask = {},
+                 std::size_t mask_stride = 0);
+  /// Returns a rectangle of the picture outside of which the frame that was begun last has the pixels of the frame that
+  /// was begun when changed() was called before; empty if nothing changed; the whole picture after fit. It is found
+  /// from places of instances, without drawing. With FitOptions::tracks_changes it is that of the instances that moved,
+  /// unless the camera or the depth range changed, or the scene has shadows, outlines, edges, CSG or skins.
+  Rect changed();
+
+  /// Replaces the background of the scene, from the next frame on.
+  void background(const Colour& colour) {
+    background_ = colour;
+    has_background_ = true;
+  }
+  /// Shows the background of the scene again.
+  void baked_background() { has_background_ = false; }
 
   /// Finds what pixel (x, y) of the frame that was begun last shows, by fit or a draw (zstrip/pick.hpp). `choose`:
   /// pick_with<effects> for drawn_with<effects>, pick_with_any for drawn_with_any. Labels after those of the scene are
@@ -157,6 +192,9 @@ class Player {
     null_pick,
     pick_effects,
     pick,
+    mask_format,
+    no_mask,
+    area,
   };
   /// Stores the fault for error(), and returns false.
   bool fail(Fault fault, const Status& status = {});
@@ -164,10 +202,23 @@ class Player {
  private:
   struct Strips {
     Player& player;
-    Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) { return player.draw_strip(strip, pixels); }
+    Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) { return player.draw_into(strip, pixels); }
+  };
+  /// An instance as changed() saw it last: a hash of its place, and its rectangle of the picture.
+  struct SeenInstance {
+    std::uint32_t place;
+    std::uint16_t left, top, right, bottom;
+  };
+  /// The rest of the frame that changed() saw last.
+  struct SeenFrame {
+    bool is_known = false;
+    std::uint32_t picture = 0;  ///< a hash of background and text, on which every pixel depends
+    std::uint32_t scene = 0;    ///< a hash of camera, depth range and lines, on which the pixels of `bounds` depend
+    Rect bounds{};
   };
 
-  Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+  Status draw_into(std::uint16_t strip, std::span<std::byte> pixels) {
+    kept_strip_ = kNoStrip;
     return drawn_with_.pipeline.draw_strip(state_, strip, pixels);
   }
   std::span<std::byte> strip(std::size_t i) const { return strips_[i]; }
@@ -181,7 +232,8 @@ class Player {
   Camera placed_camera() const;
   bool stage();
   void add_text();
-  bool begin();
+  void mask_strip(const Rect& area, const std::byte* pixels, std::uint8_t* mask) const;
+  Rect rectangle_of(std::size_t instance) const;
   bool begin_on(std::uint16_t width, std::uint16_t height, PixelFormat format);
   bool end(const Status& drawn, hal::Error shown);
 
@@ -207,6 +259,14 @@ class Player {
   std::uint16_t frames_ = 0;  ///< frames since second_began_
   Angle right_ = 0, up_ = 0;
   std::uint16_t zoom_ = 100;
+
+  static constexpr std::uint32_t kNoStrip = 0xFFFFFFFF;
+  std::uint32_t kept_strip_ = kNoStrip;  ///< the strip of this frame that lies in strips_[0], with its mask
+  bool masked_ = false, has_background_ = false;
+  Colour background_{};
+  bool reaches_far_ = false;                  ///< an instance may change pixels outside of its rectangle
+  std::span<SeenInstance> seen_instances_{};  ///< as many as the scene has, with FitOptions::tracks_changes
+  SeenFrame seen_{};
 
   std::span<Font> fonts_{};  ///< the scene's fonts and one more; the same for labels_
   std::span<Label> labels_{};

@@ -87,6 +87,15 @@ const char* Player::error() {
     case Fault::not_taken: words << "a strip was not taken"; break;
     case Fault::null_pick: words << "nothing finds the pixel: the function given to pick is null"; break;
     case Fault::pick_effects: words << "the pipeline has other effects than the function given to pick"; break;
+    case Fault::mask_format: words << "a mask needs a format with a byte or more for each pixel"; break;
+    case Fault::no_mask: words << "there is no mask: it was not asked for when the picture was fitted"; break;
+    case Fault::area:
+      if (status_.error == Error::pixels_too_small) {
+        words << "the area's memory or stride has " << status_.available << " bytes, and needs " << status_.needed;
+      } else {
+        words << "the area is empty, or not within the picture";
+      }
+      break;
     case Fault::pick: words << "the pixel cannot be picked: " << message(status_.error); break;
   }
   return words_;
