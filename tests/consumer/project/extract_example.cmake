@@ -1,12 +1,16 @@
 # The program in a page: the one ```cpp block that follows a line "<!-- tests/consumer compiles and runs this -->", or
-# another MARKER.
+# another MARKER, or a block of another LANGUAGE than cpp.
 function(extract_example page output)
   set(marker "tests/consumer compiles and runs this")
   if(ARGC GREATER 2)
     set(marker "${ARGV2}")
   endif()
+  set(language cpp)
+  if(ARGC GREATER 3)
+    set(language "${ARGV3}")
+  endif()
   file(READ ${page} text)
-  set(marker "<!-- ${marker} -->\n```cpp\n")
+  set(marker "<!-- ${marker} -->\n```${language}\n")
   string(FIND "${text}" "${marker}" begin)
   if(begin EQUAL -1)
     message(FATAL_ERROR "${page} holds no example after the marker: ${marker}")

@@ -1,0 +1,17 @@
+/* LVGL's settings for the tests of lv_zstrip: its software renderer with every format, few widgets. */
+#ifndef LV_CONF_H
+#define LV_CONF_H
+#define LV_COLOR_DEPTH 16
+#define LV_MEM_SIZE (1024 * 1024U)
+#define LV_DEF_REFR_PERIOD 10
+#define LV_USE_LOG 1
+#define LV_LOG_LEVEL LV_LOG_LEVEL_WARN
+#define LV_LOG_USE_TIMESTAMP 0
+#define LV_USE_ASSERT_STYLE 1
+#define LV_USE_ASSERT_OBJ 1
+#define LV_USE_ASSERT_MEM_INTEGRITY 1
+#define LV_ASSERT_HANDLER_INCLUDE <stdlib.h>
+#define LV_ASSERT_HANDLER abort();
+#define LV_BUILD_EXAMPLES 0
+#define LV_BUILD_DEMOS 0
+#endif
