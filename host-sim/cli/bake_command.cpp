@@ -294,7 +294,8 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   if (project) outputs.path /= "scene.hpp";
   const Result<Done> distinct = check_distinct(outputs, arguments.json, arguments.visible_sets);
   if (!distinct) return distinct.failure();
-  const Result<PicoFile> pico_file = parse_pico(arguments.pico, arguments.output);
+  const Result<PicoFile> pico_file =
+      parse_pico(arguments.pico, for_pico ? arguments.plan.memory.board : std::nullopt, arguments.output);
   if (!pico_file) return pico_file.failure();
 
   // A folder's model turns, unless it has an animation.
@@ -415,7 +416,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
           "--project and --display")
       ->required()
       ->type_name("FILE");
-  add_plan_options(*command, a.plan);
+  add_plan_options(*command, a.plan, kPicoBoardHelp);
   command->get_option("--visibility")
       ->description(fmt::format("The visibility method: {} (default: zbuffer). Headers keep it, .zsc only "
                                 "painter-newell and painter-bsp, .uf2, .ino and .cpp none",
@@ -473,6 +474,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
       "  zstrip bake model.glb -o model.uf2\n"
       "  zstrip bake model.glb -o pico.uf2 --with zstrip_pico_player.uf2\n"
+      "  zstrip bake model.glb -o scene.hpp --size 240x240 --board bluepill\n"
       "  zstrip bake model.glb -o pico2.uf2 --board pico2 --with zstrip_pico2_player.uf2\n"
       "  zstrip bake house.obj -o house.zsc --visibility painter-bsp\n"
       "  zstrip bake house.glb -o house.hpp --textures auto\n"

@@ -120,7 +120,7 @@ Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSe
   const Result<RamLimit> ram_limit = parse_memory(arguments.memory, settings, drawing.view, drawing.budget);
   if (!ram_limit) return ram_limit.failure();
   drawing.ram_limit = *ram_limit;
-  drawing.budget.strip_buffers = drawing.panel ? 2 : 1;
+  drawing.budget.strip_buffers = drawing.panel ? 2 : usual_strip_buffers(arguments.memory);
   if (drawing.panel) {
     if (const Result<Done> fitted = fit_strips_to_panel(drawing); !fitted) return fitted.failure();
   }

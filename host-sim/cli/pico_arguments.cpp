@@ -6,27 +6,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "bake/pico_scene.hpp"
-#include "cli/one_of.hpp"
+#include "cli/nearest_name.hpp"
+#include "cli/parse.hpp"
 #include "text/number.hpp"
 #include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
 
 void add_pico_options(CLI::App& command, PicoArguments& arguments) {
-  std::vector<std::string> names;
-  for (const pico::Board* const board : pico::kBoards) names.emplace_back(board->name);
-  command
-      .add_option(
-          "--board", arguments.board,
-          "The board of a .uf2 file: pico, a Raspberry Pi Pico (default), or pico2, a Pico 2; pico_hot or pico2_hot: "
-          "for the program that has hot code in RAM, and less RAM for a scene")
-      ->option_text("BOARD")
-      ->transform(one_of(names));
   command
       .add_option("--with", arguments.program,
                   "Also put the program that shows the scene into the .uf2 file: zstrip_pico_player.uf2, "
@@ -38,16 +31,18 @@ Result<Done> check_not_for_pico(const PicoArguments& arguments) {
   if (arguments.program) {
     return Failure{ExitStatus::usage, "--with is the program of a file for the Raspberry Pi Pico: -o FILE.uf2"};
   }
-  if (arguments.board) {
-    return Failure{ExitStatus::usage, "--board is of a file for a Raspberry Pi Pico or Pico 2: -o FILE.uf2"};
-  }
   return Done{};
 }
 
-Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::string& output) {
+Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::optional<std::string>& board,
+                            const std::string& output) {
   PicoFile file;
-  for (const pico::Board* const board : pico::kBoards) {
-    if (arguments.board == board->name) file.board = *board;
+  if (board) {
+    std::vector<std::string_view> names;
+    for (const pico::Board* const known : pico::kBoards) names.emplace_back(known->name);
+    const auto found = std::ranges::find(names, *board);
+    if (found == names.end()) return usage("-o FILE.uf2: " + unknown_name("--board", *board, names));
+    file.board = *pico::kBoards[found - names.begin()];
   }
   if (!arguments.program) return file;
   Result<pico::Pages> read = read_pico_program(*arguments.program, file.board);
@@ -65,6 +60,7 @@ Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::string& o
 PlanArguments plan_arguments_for_pico(PlanArguments plan) {
   if (!plan.view.size) plan.view.size = fmt::format("{0}x{0}", pico::kPanelSide);
   if (!plan.view.format) plan.view.format = "rgb565_swapped";
+  plan.memory.board.reset();  // names the program
   plan.strip_buffers = 2;
   plan.mode = "any";
   return plan;

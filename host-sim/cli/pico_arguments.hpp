@@ -16,9 +16,14 @@ namespace zstrip::sim {
 
 /// The options as given on the command line.
 struct PicoArguments {
-  std::optional<std::string> board;
   std::optional<std::string> program;
 };
+
+/// The part of --board's help that is about .uf2 files.
+inline constexpr const char* kPicoBoardHelp =
+    ". For a .uf2 file: pico, a Raspberry Pi Pico (default), or pico2, a Pico 2; pico_hot or pico2_hot: for the "
+    "program "
+    "that has hot code in RAM, and less RAM for a scene";
 
 void add_pico_options(CLI::App& command, PicoArguments& arguments);
 
@@ -32,8 +37,9 @@ struct PicoFile {
   pico::Pages program;
 };
 
-/// `output`: must not be the program's file.
-Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::string& output);
+/// `board`: of --board. `output`: must not be the program's file.
+Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::optional<std::string>& board,
+                            const std::string& output);
 
 /// Sets the options that are not given to the program's own values, because the program plans by itself.
 PlanArguments plan_arguments_for_pico(PlanArguments plan);

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "cli/board_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "render/blob_stage.hpp"
@@ -133,10 +134,21 @@ Result<RamLimit> parse_memory(const MemoryArguments& arguments, const PictureSet
     budget.bytes = *bytes;
     return RamLimit::given;
   }
+  if (arguments.board) {
+    const Result<const BoardModel*> board = parse_board(*arguments.board);
+    if (!board) return board.failure();
+    budget.bytes = (*board)->ram_bytes - kReservedRam;
+    return RamLimit::given;
+  }
   if (settings.ram) budget.bytes = *settings.ram;
   if (settings.ram || budget.strip_rows != 0) return RamLimit::given;
   budget.bytes = kUsualRam;
   return RamLimit::usual;
+}
+
+std::uint8_t usual_strip_buffers(const MemoryArguments& arguments) {
+  const BoardModel* const board = arguments.board ? find_board(*arguments.board) : nullptr;
+  return board != nullptr && board->dma ? 2 : 1;
 }
 
 }  // namespace zstrip::sim

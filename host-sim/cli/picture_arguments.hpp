@@ -56,12 +56,15 @@ inline constexpr const char* kRamHelp =
 /// The options as given on the command line.
 struct MemoryArguments {
   std::optional<std::string> ram{};
+  std::optional<std::string> board{};
   std::optional<std::string> strip_rows{};
   std::optional<std::string> strip_columns{};
 };
 /// Parses into the budget of a picture of this size; also a usage error if the picture cannot be divided like that.
-/// Without --ram and without rows: kUsualRam.
+/// Without --ram: the board's, less kReservedRam; without a board and without rows kUsualRam.
 Result<RamLimit> parse_memory(const MemoryArguments& arguments, const PictureSettings& settings, const View& view,
                               Budget& budget);
+/// Returns 2 if --board has DMA, else 1.
+std::uint8_t usual_strip_buffers(const MemoryArguments& arguments);
 
 }  // namespace zstrip::sim

@@ -5,12 +5,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/board_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "visibility/methods.hpp"
 
 namespace zstrip::sim {
 
-void add_plan_options(CLI::App& command, PlanArguments& arguments) {
+void add_plan_options(CLI::App& command, PlanArguments& arguments, const std::string& board_help) {
   PlanArguments& a = arguments;
   command
       .add_option("--size", a.view.size,
@@ -19,10 +20,12 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       ->type_name("WxH");
   add_quality_options(command, a.view);
   command.add_option("--ram", a.memory.ram, kRamHelp)->type_name("BYTES");
-  command.add_option("--strip-buffers", a.strip_buffers, "Strip buffers: 2 if DMA sends one while the other is drawn")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{2}))
-      ->capture_default_str();
+  add_board_option(command, a.memory.board, board_help);
+  command
+      .add_option("--strip-buffers", a.strip_buffers,
+                  "Strip buffers: 2 if DMA sends one while the other is drawn (default: 1, or 2 if --board has DMA)")
+      ->option_text("N")
+      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{2}));
   command.add_option("--strip-rows", a.memory.strip_rows, "Rows of a strip (default: auto, the fastest number)")
       ->transform(lower_case())
       ->type_name("N|auto");
@@ -61,7 +64,8 @@ Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string
   if (!method) return method.failure();
   request.method = method->effects;
   request.budget.split_columns = arguments.split_columns;
-  request.budget.strip_buffers = static_cast<std::uint8_t>(arguments.strip_buffers);
+  request.budget.strip_buffers =
+      static_cast<std::uint8_t>(arguments.strip_buffers.value_or(usual_strip_buffers(arguments.memory)));
   request.may_bin = arguments.mode != "streamed";
   request.budget.modes = arguments.mode == "binned" ? Modes::binned : Modes::any;
   return request;

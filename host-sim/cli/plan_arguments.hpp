@@ -20,13 +20,14 @@ struct PlanArguments {
   ViewArguments view{};
   MemoryArguments memory{};
   bool split_columns = false;
-  std::uint32_t strip_buffers = 1;
+  std::optional<std::uint32_t> strip_buffers{};
   std::string mode = "any";
   std::optional<std::string> visibility{};
 };
 
 /// Adds the options; `arguments` must live as long as the command.
-void add_plan_options(CLI::App& command, PlanArguments& arguments);
+/// `board_help`: more about --board.
+void add_plan_options(CLI::App& command, PlanArguments& arguments, const std::string& board_help = {});
 
 /// Settings of the scene, if it is a scene file, apply where the command line has no option.
 Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string& scene);

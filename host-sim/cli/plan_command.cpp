@@ -169,6 +169,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       "  zstrip plan teapot --size 240x240\n"
       "  zstrip plan model.glb --size 320x240 --ram 16K --split-columns\n"
       "  zstrip plan model.glb --size 240x240 --camera Camera\n"
+      "  zstrip plan model.glb --size 240x240 --board bluepill\n"
       "  zstrip plan knot_meshlets --ram 48K --strip-buffers 2 --json\n"
       "  zstrip plan room --ram 8K --depth-format auto --separation 0.0001\n"
       "  zstrip plan random50 --visibility painter --size 128x64\n"

@@ -83,7 +83,7 @@ PlanArguments plan_arguments_for_project(PlanArguments plan, const Project& proj
   if (!plan.view.format) plan.view.format = "rgb565_swapped";
   const bool by_dma = project.kind == ProjectKind::pico || project.display == DisplayLibrary::tft_espi ||
                       project.display == DisplayLibrary::lovyangfx;
-  if (by_dma) plan.strip_buffers = 2;
+  plan.strip_buffers = by_dma ? 2 : plan.strip_buffers.value_or(1);
   return plan;
 }
 

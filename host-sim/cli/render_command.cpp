@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "cli/board_arguments.hpp"
 #include "cli/drawing_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/output_names.hpp"
@@ -274,6 +275,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<RenderCommandLine>();
   RenderCommandLine& a = *arguments;
   add_drawing_options(*command, a.drawing);
+  add_board_option(*command, a.drawing.memory.board);
   command
       ->add_option("-o,--output", a.output,
                    "A folder for the frames, or one file: .png .jpg .ppm .pgm .raw, .apng with all "

@@ -40,8 +40,8 @@ std::vector<std::string> bake_words(const BakeArguments& arguments) {
   if (view.samples) add("--samples", std::to_string(*view.samples));
   if (view.edges) words.emplace_back(*view.edges ? "--edges" : "--no-edges");
   add("--ram", arguments.plan.memory.ram);
-  add("--strip-buffers", std::to_string(arguments.plan.strip_buffers));
-  add("--board", arguments.pico.board);
+  add("--strip-buffers", std::to_string(arguments.plan.strip_buffers.value_or(1)));
+  add("--board", arguments.plan.memory.board);
   const CameraArguments& camera = arguments.camera;
   add("--up", camera.up);
   add("--animation", camera.animation);

@@ -12,12 +12,10 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "cli/bake_kind.hpp"
-#include "cli/nearest_name.hpp"
+#include "cli/board_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/picture_arguments.hpp"
@@ -41,12 +39,6 @@ struct Arguments {
   std::optional<std::uint32_t> choose;
   bool quiet = false;
 };
-
-std::vector<std::string_view> names_of_boards() {
-  std::vector<std::string_view> names;
-  for (const BoardModel& board : board_models()) names.push_back(board.name);
-  return names;
-}
 
 Result<FitLimits> parse_limits(const Arguments& arguments, const BoardModel& board) {
   FitLimits limits{.flash = {}, .ram = board.ram_bytes - kReservedRam, .frames = arguments.frames};
@@ -104,8 +96,9 @@ Result<Done> check_outputs(const Arguments& arguments) {
 }
 
 Result<Done> run(const Arguments& arguments) {
-  const BoardModel* const board = find_board(arguments.board);
-  if (board == nullptr) return usage(unknown_name("--board", arguments.board, names_of_boards()));
+  const Result<const BoardModel*> named = parse_board(arguments.board);
+  if (!named) return named.failure();
+  const BoardModel* const board = *named;
   if (kind_of_scene(arguments.scene) != SceneKind::model) {
     return usage(fmt::format("fit makes model files smaller; '{}' is none", arguments.scene));
   }
@@ -118,7 +111,7 @@ Result<Done> run(const Arguments& arguments) {
     if (arguments.board != "pico" && arguments.board != "pico2") {
       return usage("-o FILE.uf2 is for --board pico or pico2");
     }
-    whole.pico.board = arguments.board;
+    whole.plan.memory.board = arguments.board;
   }
   if (const Result<Done> distinct = check_outputs(arguments); !distinct) return distinct.failure();
   Result<FitSearch> found = [&] {

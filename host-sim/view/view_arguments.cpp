@@ -5,30 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <string_view>
-#include <vector>
 
-#include "bench/board_model.hpp"
-#include "cli/nearest_name.hpp"
+#include "cli/board_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 
 namespace zstrip::sim {
-namespace {
-
-std::vector<std::string_view> names_of_boards() {
-  std::vector<std::string_view> names;
-  for (const BoardModel& board : board_models()) names.push_back(board.name);
-  return names;
-}
-
-Result<const BoardModel*> parse_board(const std::string& text) {
-  if (const BoardModel* const board = find_board(text)) return board;
-  return usage(unknown_name("--board", text, names_of_boards()));
-}
-
-}  // namespace
-
 void add_view_options(CLI::App& command, ViewOptions& options) {
   add_drawing_options(command, options.drawing);
   command

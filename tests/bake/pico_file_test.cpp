@@ -263,7 +263,8 @@ TEST_F(BakePico, BoardsAreForTheirFiles) {
     EXPECT_EQ(outcome.status, status);
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
-  refused({"-o", "x.zsc", "--board", "pico2"}, 2, "--board is of a file for a Raspberry Pi Pico or Pico 2");
+  refused({"-o", "x.zsc", "--board", "pico_hot"}, 2, "--board");
+  refused({"-o", "x.uf2", "--board", "bluepill"}, 2, "-o FILE.uf2: --board");
   refused({"-o", "x.uf2", "--board", "pico3"}, 2, "pico2");
   const std::string good = file_of(program(), "program.uf2");
   refused({"-o", "x.uf2", "--board", "pico2", "--with", good}, 4, "block 0 is not for the RP2350");

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # readme_figures.sh ROOT: the millions of instructions in the README, and what is now in the table of targets of
 # docs/performance.md, are those of docs/measured/instructions.csv. Below the README's pictures, bytes are those of
-# docs/gallery.md, and frames a second follow from docs/measured/gallery.csv and the cycles of boards.
+# docs/gallery.md, and frames a second, there and in docs/gallery.md, follow from docs/measured/gallery.csv and the
+# cycles of boards.
 set -euo pipefail
 cd "$1"
 failed=0
@@ -58,12 +59,28 @@ check m3 Cortex-M3
 check m4f Cortex-M4F
 check host x86-64
 
-# cycles BOARD: of an instruction that is counted for a Cortex-M3.
-cycles() {
-  awk -v name="\"$1\"," '/BoardModel\{/ { here = index($0, name) }
-    here && /cycles_per_estimate/ { gsub(/.*\{|,.*/, ""); print; exit }' host-sim/bench/board_model.cpp
+# board NAME: its megahertz, and the least and the most cycles of an instruction that is counted for a Cortex-M3.
+board() {
+  awk -v name="\"$1\"," '
+    /^constexpr CyclesPerEstimate/ {
+      while (match($0, /k[A-Za-z0-9]+\{[^}]*\}/)) {
+        split(substr($0, RSTART, RLENGTH), part, /[{}]/)
+        range[part[1]] = part[2]
+        $0 = substr($0, RSTART + RLENGTH)
+      }
+    }
+    /\.name = / { here = index($0, name) }
+    here && /core_mhz/ { gsub(/[^0-9]/, ""); clock = $0 }
+    here && /cycles_per_estimate/ {
+      gsub(/.*= \{?|[},]+$/, "")
+      if ($0 in range) $0 = range[$0]
+      split($0, cycles, /, */)
+      print clock, cycles[1], cycles[2]
+      exit
+    }' host-sim/bench/board_model.cpp
 }
-pico=$(cycles pico) pico2=$(cycles pico2)
+read -r _ pico _ <<<"$(board pico)"
+read -r _ pico2 _ <<<"$(board pico2)"
 
 # caption SCENE: the line below a picture.
 caption() {
@@ -79,5 +96,23 @@ caption() {
 for scene in lighthouse astronaut train robot watch chess home; do
   is=$(caption $scene)
   grep -qF "**$scene**<br>$is |" README.md || { echo "README.md: below the picture of $scene stands not: $is"; failed=1; }
+done
+
+# rates SCENE: its line of "Frames a second" in docs/gallery.md.
+rates() {
+  local name clock least most line="| \`$1\` |"
+  for name in pico pico2 blackpill stm32f4 esp32c6; do
+    read -r clock least most <<<"$(board $name)"
+    line+=$(awk -F, -v scene="$1" -v hertz="${clock}e6" -v least="$least" -v most="$most" '
+      $1 $2 $3 $4 == scene "m3speed48" {
+        if (least == most) printf " %.1f |", hertz / least / $6
+        else printf " %.1f to %.1f |", hertz / most / $6, hertz / least / $6
+      }' docs/measured/gallery.csv)
+  done
+  echo "$line"
+}
+for scene in lighthouse astronaut train robot watch chess home; do
+  is=$(rates $scene)
+  grep -qxF "$is" docs/gallery.md || { echo "docs/gallery.md: there is no line $is"; failed=1; }
 done
 exit $failed

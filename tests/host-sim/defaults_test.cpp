@@ -39,7 +39,8 @@ TEST_F(Defaults, APictureTakes24KilobytesAndHasTheSamePixelsAsInOneStrip) {
 
 TEST_F(Defaults, RenderPlanAndBakeTakeTheSameBytes) {
   const std::string model = file("ball.obj", sphere_obj(40, 20));
-  for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--ram", "40K"}, {"--ram", "max"}}) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{}, {"--ram", "40K"}, {"--ram", "max"}, {"--board", "bluepill"}}) {
     const auto run = [&](std::vector<std::string> words) {
       words.insert(words.end(), options.begin(), options.end());
       const Outcome outcome = zstrip(words);
@@ -50,9 +51,37 @@ TEST_F(Defaults, RenderPlanAndBakeTakeTheSameBytes) {
     // Bins take flash, and bake takes them only where they are asked for.
     const auto streamed = run({"plan", model, "--mode", "streamed", "--json"}).at("plan").at("bytes");
     const auto baked = run({"bake", model, "-o", "ball.hpp", "--quiet", "--json", "-"}).at("plan").at("ram_bytes");
-    EXPECT_EQ(ram(frame(model, options)), planned.at("total").get<std::uint64_t>());
+    const nlohmann::json rendered = frame(model, options);
+    EXPECT_EQ(rendered.at("ram_bytes").at("arena"), planned.at("arena"));
+    // A board with DMA has two strips.
+    const std::uint64_t strip = rendered.at("ram_bytes").at("strip_pixels").get<std::uint64_t>();
+    const std::uint64_t second = options == std::vector<std::string>{"--board", "bluepill"} ? strip : 0;
+    EXPECT_EQ(ram(rendered) + second, planned.at("total").get<std::uint64_t>());
     EXPECT_EQ(baked.at("arena"), streamed.at("arena"));
   }
+}
+
+TEST_F(Defaults, ABoardsRamIsTheLimit) {
+  const auto total = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"plan", "knot_meshlets", "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.status == 0 ? outcome.out : "{}")
+        .at("plan")
+        .at("bytes")
+        .at("total")
+        .get<int>();
+  };
+  EXPECT_GT(total({"--board", "bluepill"}), 12 * 1024);
+  EXPECT_LE(total({"--board", "bluepill"}), 16 * 1024);
+  EXPECT_GT(total({"--board", "pico"}), 64 * 1024);
+  EXPECT_LE(total({"--board", "pico", "--ram", "14K"}), 14 * 1024) << "a limit that is given counts";
+  const Outcome refused = zstrip({"render", "cube", "--size", "2048x16", "--samples", "4", "--board", "bluepill"});
+  EXPECT_EQ(refused.status, 5);
+  const Outcome unknown = zstrip({"plan", "cube", "--board", "bluepil"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("bluepill"), std::string::npos) << unknown.err;
 }
 
 TEST_F(Defaults, ASceneThatNeedsMoreGetsItUnlessALimitIsGiven) {
