@@ -8,11 +8,13 @@
 
 #include "zstrip/animation.hpp"
 #include "zstrip/camera.hpp"
+#include "zstrip/clips.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/turn.hpp"
+#include "zstrip/skin.hpp"
 #include "zstrip/status.hpp"
 #include "zstrip/view.hpp"
 
@@ -46,6 +48,11 @@ struct SceneBlob {
   const Camera* turning_camera = nullptr;  ///< the camera for several frames, in the blob; null: `camera` is used for
                                            ///< them, too
   Effects effects{};                       ///< the effects that the picture was baked for: one of kPictureEffects
+  std::span<const Clip> clips{};           ///< if there are some, `animation` is that of the first one's instances, and
+                                           ///< `turn` moves nothing
+  std::span<const Skin> skins{};           ///< of meshes of the scene; they have the same joints
+  MovedSkins moved{};                      ///< one Skinning a skin, to which the scene's meshes refer: for pose_clips
+  std::uint32_t memory_bytes = 0;          ///< of the lent memory, that are in use
 
   /// Returns the camera for a motion of `frames` frames.
   constexpr const Camera& camera_for(std::uint32_t frames) const {
@@ -69,16 +76,37 @@ constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t text
          std::size_t{images} * sizeof(OverlayImage) + std::size_t{fonts} * sizeof(Font) +
          std::size_t{labels} * sizeof(Label);
 }
+
+/// The numbers of a blob's skins, joints and clips, and of the vertices that move at a time.
+struct CharacterCounts {
+  std::uint32_t skins = 0;
+  std::uint32_t joints = 0;
+  std::uint32_t clips = 0;
+  std::uint32_t positions = 0;  ///< vertices of the largest meshlet of all skins, which share the memory for them
+  std::uint32_t normals = 0;    ///< vertices of the largest meshlet of a skin with normals
+};
+
+/// Returns the bytes to lend in addition to scene_blob_memory, for tables, the pose, matrices and a moved meshlet.
+constexpr std::uint64_t character_memory(const CharacterCounts& counts) {
+  static_assert(alignof(Skin) == alignof(Mesh) && alignof(Skinning) == alignof(Mesh) && alignof(Clip) == alignof(Mesh));
+  const std::uint64_t matrices = std::uint64_t{counts.skins} * counts.joints;
+  return std::uint64_t{counts.skins} * (sizeof(Skin) + sizeof(Skinning)) + std::uint64_t{counts.clips} * sizeof(Clip) +
+         matrices * sizeof(Transform) + std::uint64_t{counts.joints} * sizeof(JointPose) +
+         std::uint64_t{counts.positions} * sizeof(Position) + std::uint64_t{counts.normals} * sizeof(Normal);
+}
+
 /// Bytes, for the memory that is lent to open_scene_blob.
 inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 
 /// Checks the whole `blob`, with checksum, offsets and scene (validate), and then makes `opened` a view of it. On an
-/// error `opened` keeps its value. Time: linear in the blob's size. Any bytes are safe.
-/// Errors: blob_alignment; blob_damaged (`needed`: offset of the wrong byte, or the offset behind the last byte if
-/// bytes are missing); blob_version (`needed`: the blob's version, `available`: the supported version); blob_section
+/// error `opened` keeps its value. Skins are in the pose as they were modelled until pose_clips. Time: linear in the
+/// blob's size. Any bytes are safe. Errors: blob_alignment; blob_damaged (`needed`: offset of the wrong byte, or the
+/// offset behind the last byte if bytes are missing); blob_version (`needed`: the blob's version, `available`: the
+/// supported version); blob_section
 /// (`needed`: tag of a required section that this program does not know, its first letter in the highest byte);
 /// blob_depth (`needed`: number of a depth format that was removed); blob_memory (`needed`, `available`: bytes of
-/// `memory`); camera; and all errors of validate.
+/// `memory`); camera; skin (`needed`: the mesh of lines, edges or CSG that joints move, or as in validate); and all
+/// errors of validate.
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened);
 
 }  // namespace zstrip

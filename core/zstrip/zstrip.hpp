@@ -4,6 +4,7 @@
 #include "zstrip/animation.hpp"
 #include "zstrip/blob.hpp"
 #include "zstrip/camera.hpp"
+#include "zstrip/clips.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/fixed_renderer.hpp"
 #include "zstrip/layer.hpp"

@@ -78,7 +78,7 @@ typedef int (*zstrip_take)(void* context, const zstrip_strip* strip);
  * zstrip_player_error says so. */
 zstrip_player* zstrip_player_in(void* memory, size_t bytes, const zstrip_pipeline* pipeline);
 
-/* The next functions, to zstrip_player_pick, return 0 after a fault: zstrip_player_error explains it. */
+/* The next functions, to zstrip_player_play_clip, return 0 after a fault: zstrip_player_error explains it. */
 
 /** Opens a .zsc file in place; its address must be a multiple of 4. Any bytes are safe; null is an error. */
 int zstrip_player_open(zstrip_player* player, const void* scene, size_t bytes);
@@ -103,6 +103,16 @@ int zstrip_player_draw_area(zstrip_player* player, const zstrip_area* area, void
  * null `picker` is an error; a null `picked` gets nothing. */
 int zstrip_player_pick(zstrip_player* player, const zstrip_picker* picker, uint16_t x, uint16_t y,
                        zstrip_picked* picked);
+/** Plays a clip of the open scene from its beginning, over and over, or once if `loops` is 0. During `fade`
+ * milliseconds the clips that play go on and become this one. */
+int zstrip_player_play_clip(zstrip_player* player, size_t clip, uint16_t fade, int loops);
+
+/** Returns the number of clips, named animations, of the open scene. */
+size_t zstrip_player_clips(const zstrip_player* player);
+/** Returns the name of a clip, UTF-8, valid as long as the scene is open; null if there is no such clip. */
+const char* zstrip_player_clip_name(const zstrip_player* player, size_t clip);
+/** Returns the duration of a clip in milliseconds; 0 if there is no such clip. */
+uint32_t zstrip_player_clip_time(const zstrip_player* player, size_t clip);
 
 /** Sets `area` to a rectangle outside of which the frame that was begun last equals the frame that was begun when this
  * function was called before. It has no pixels (width 0) if nothing changed, and is the whole picture after a fit. */

@@ -49,6 +49,7 @@ std::span<T> room_for(std::size_t count) {
 }
 
 SceneBlob blob;
+PlayedClips played;  // of blob.clips
 View view;
 Plan planned;
 Camera camera;
@@ -70,13 +71,44 @@ void put_pixel(std::uint8_t* to, unsigned pixel) {
   to[3] = 255;
 }
 
+/// Begins a frame of the clips that play.
+Status begin_clips(std::span<const PlayedClip> clips) {
+  pose_clips(blob.clips, clips, blob.scene.instances, instances);
+  if (const Status posed = pose_clips(blob.clips, clips, blob.moved); !posed) return posed;
+  staged = {blob.scene, camera};
+  staged.scene.instances = instances;
+  return renderer->begin_frame(staged.scene, staged.camera, view, planned, arena);
+}
+
 Status begin(std::uint32_t frame) {
+  if (!blob.clips.empty()) {
+    PlayedClip at = played.last();
+    at.time = time_of_frame(blob.clips[at.clip].instances, frame, frames);
+    return begin_clips({&at, 1});
+  }
+  if (const Status posed = pose_clips({}, {}, blob.moved); !posed) return posed;
   const scenes::AtRest baked{blob.scene, camera, blob.animation, blob.turn};
   staged = {blob.scene, camera};
   if (frame % frames != 0 || !blob.animation.tracks.empty()) {
     staged = scenes::stage(baked, frame, frames, {.instances = instances, .lines = lines});
   }
   return renderer->begin_frame(staged.scene, staged.camera, view, planned, arena);
+}
+
+/// Draws the frame that has begun into `picture`.
+Status draw_begun() {
+  Status status;
+  for (std::uint16_t strip = 0; status && strip < planned.strips; ++strip) {
+    status = renderer->draw_strip(strip, strip_pixels);
+    if (!status) break;
+    const Rect area = planned.strip_area(strip, view);
+    const auto* pixel = reinterpret_cast<const std::uint16_t*>(strip_pixels.data());
+    for (std::int32_t y = area.top; y < area.bottom; ++y) {
+      std::uint8_t* to = picture.data() + 4 * (y * view.width + area.left);
+      for (std::int32_t x = area.left; x < area.right; ++x, to += 4) put_pixel(to, *pixel++);
+    }
+  }
+  return status;
 }
 
 }  // namespace
@@ -128,21 +160,30 @@ extern "C" {
   return static_cast<int>(begin(0).error);  // reports a missing effect now
 }
 
-/// Draws frame `frame` into picture().
+/// Draws frame `frame` into picture(): of the clip that was chosen last, if there are clips.
 [[clang::export_name("draw")]] int zstrip_draw(std::uint32_t frame) {
   if (renderer == nullptr) return static_cast<int>(Error::not_begun);
   Status status = begin(frame);
-  for (std::uint16_t strip = 0; status && strip < planned.strips; ++strip) {
-    status = renderer->draw_strip(strip, strip_pixels);
-    if (!status) break;
-    const Rect area = planned.strip_area(strip, view);
-    const auto* pixel = reinterpret_cast<const std::uint16_t*>(strip_pixels.data());
-    for (std::int32_t y = area.top; y < area.bottom; ++y) {
-      std::uint8_t* to = picture.data() + 4 * (y * view.width + area.left);
-      for (std::int32_t x = area.left; x < area.right; ++x, to += 4) put_pixel(to, *pixel++);
-    }
-  }
+  if (status) status = draw_begun();
   return static_cast<int>(status.error);
 }
 [[clang::export_name("picture")]] const std::uint8_t* zstrip_picture() { return picture.data(); }
+
+[[clang::export_name("clips")]] std::size_t zstrip_clips() { return blob.clips.size(); }
+// The next three take the number of a clip that exists.
+[[clang::export_name("clip_name")]] const char* zstrip_clip_name(std::size_t clip) { return blob.clips[clip].name; }
+[[clang::export_name("clip_time")]] std::uint32_t zstrip_clip_time(std::size_t clip) {
+  return blob.clips[clip].duration();
+}
+[[clang::export_name("play")]] void zstrip_play(std::size_t clip, std::uint16_t fade, int loops) {
+  played.play(static_cast<std::uint16_t>(clip), fade, loops != 0);
+}
+/// Moves the clips that play on, and draws them into picture().
+[[clang::export_name("advance")]] int zstrip_advance(std::uint32_t milliseconds) {
+  if (renderer == nullptr || blob.clips.empty()) return static_cast<int>(Error::not_begun);
+  played.advance(milliseconds, blob.clips);
+  Status status = begin_clips(played.all());
+  if (status) status = draw_begun();
+  return static_cast<int>(status.error);
+}
 }

@@ -25,6 +25,10 @@ class Scene {
     const view = ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
     new Uint8Array(wasm.memory.buffer, blob, view.length).set(view);
     this.#check(wasm.open(blob, view.length));
+    // The animations that play() and advance() show: their names and durations.
+    this.clips = Array.from({ length: wasm.clips() }, (_, clip) => {
+      return { name: this.#text(wasm.clip_name(clip)), milliseconds: wasm.clip_time(clip) };
+    });
     this.width = width ?? wasm.own_width();
     this.height = height ?? wasm.own_height();
     this.frames = frames;
@@ -37,17 +41,39 @@ class Scene {
     this.#picture = wasm.picture();
   }
 
-  // Frame `frame` of `frames`, which show the animation once, or else a full turn: red, green, blue and alpha of each pixel.
-  // Valid until the next call.
+  // Frame `frame` of `frames`, which show the animation once (of several clips the one that was played last), or else a full
+  // turn: red, green, blue and alpha of each pixel. Valid until the next call.
   draw(frame) {
     this.#check(this.#wasm.draw(frame));
+    return this.#pixels();
+  }
+
+  // Plays a clip (its number, or its name) from its beginning. During `fade` milliseconds, at most 65535, the clips that play
+  // go on and become this one.
+  play(clip, { fade = 0, loops = true } = {}) {
+    const number = typeof clip === 'string' ? this.clips.findIndex(({ name }) => name === clip) : clip;
+    if (this.clips[number] === undefined) throw new RangeError(`zstrip: there is no clip ${clip}`);
+    this.#wasm.play(number, Math.min(Math.max(Math.round(fade), 0), 0xffff), loops ? 1 : 0);
+  }
+
+  // Moves the clips that play on, and draws them: as draw().
+  advance(milliseconds) {
+    if (this.clips.length === 0) throw new Error('zstrip: the scene has no clips: draw its frames');
+    this.#check(this.#wasm.advance(Math.max(Math.round(milliseconds), 0)));
+    return this.#pixels();
+  }
+
+  #pixels() {
     return new Uint8ClampedArray(this.#wasm.memory.buffer, this.#picture, 4 * this.width * this.height);
   }
 
+  #text(address) {
+    const bytes = new Uint8Array(this.#wasm.memory.buffer, address);
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+
   #check(status) {
-    if (status === 0) return;
-    const words = new Uint8Array(this.#wasm.memory.buffer, this.#wasm.words(status));
-    throw new Error(`zstrip: ${new TextDecoder().decode(words.slice(0, words.indexOf(0)))}`);
+    if (status !== 0) throw new Error(`zstrip: ${this.#text(this.#wasm.words(status))}`);
   }
 }
 

@@ -18,6 +18,8 @@
 
 namespace zstrip::sim {
 
+class BlobCharacters;
+
 /// Meshes of the scene that joints move.
 struct BakedSkins {
   std::span<const ModelSkin> meshes;  ///< empty: no mesh has a skin
@@ -46,9 +48,10 @@ struct BakedScene {
   Plan plan;
   BspTree tree{};  ///< for method::bsp
   Turn turn{};
-  BakedSkins skins{};
-  std::size_t edges_left_out = 0;  ///< by ShownEdges
-  std::string unclipped_where{};   ///< with effect::unclipped: the poses that were checked, as text
+  BakedSkins skins{};                          ///< of a header
+  const BlobCharacters* characters = nullptr;  ///< of a blob; null: nothing bends, and there is one animation or none
+  std::size_t edges_left_out = 0;              ///< by ShownEdges
+  std::string unclipped_where{};               ///< with effect::unclipped: the poses that were checked, as text
 };
 
 }  // namespace zstrip::sim

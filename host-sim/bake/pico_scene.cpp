@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "bake/blob_characters.hpp"
 #include "bake/flash_bytes.hpp"
 #include "bake/uf2_file.hpp"
 #include "import/read_file.hpp"
@@ -73,11 +74,17 @@ Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blo
   return pico::to_uf2(pages, board);
 }
 
-std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn) {
+std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn,
+                           const BlobCharacters* characters) {
   // As zstrip::Player allocates it; each piece begins at a multiple of kArenaAlignment.
   constexpr std::uint64_t kPieces = 8, kLineSet = 64;  // a LineSet has a pointer: 64 bytes on the board
   std::uint64_t kept = table_bytes(scene) + kPieces * kArenaAlignment;
-  if (!animation.tracks.empty() || turn.what == Turning::instances || turn.what == Turning::instances_and_lines) {
+  bool moves = !animation.tracks.empty();
+  if (characters != nullptr) {
+    kept += characters->table_bytes() + characters->ram().vertices + characters->ram().joints;
+    moves = std::ranges::any_of(characters->clips(), [](const Clip& clip) { return !clip.instances.tracks.empty(); });
+  }
+  if (moves || turn.what == Turning::instances || turn.what == Turning::instances_and_lines) {
     kept += scene.instances.size() * sizeof(Instance);
   }
   if (scenes::turns_lines(animation, turn)) kept += scene.lines.size() * kLineSet;

@@ -16,6 +16,8 @@
 
 namespace zstrip::sim {
 
+class BlobCharacters;
+
 /// Reads a program that shows baked scenes of this version, from the file of the option --with.
 Result<pico::Pages> read_pico_program(const std::string& path, const pico::Board& board);
 
@@ -28,7 +30,9 @@ Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blo
                                                const pico::Board& board);
 
 /// Returns the bytes that the program keeps of this scene besides the arena and two strips: tables, and moving parts.
-std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn);
+/// `characters`: null if there are none.
+std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn,
+                           const BlobCharacters* characters);
 
 /// Fails if size or format of the picture are not those of the program's panel.
 Result<Done> check_view_for_pico(const View& view);

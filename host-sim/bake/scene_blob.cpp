@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 #include <map>
 #include <span>
@@ -178,6 +179,29 @@ class Writer {
   void put(const blob_layout::BaseRecord& base) {
     put(base.ambient);
     put(base.background);
+  }
+  void put(const VertexJoints& vertex) {
+    for (const std::uint8_t joint : vertex.joints) byte(joint);
+    for (const std::uint8_t weight : vertex.weights) byte(weight);
+  }
+  void put(const Joint& joint) {
+    put(joint.inverse_bind);
+    half_word(std::uint32_t{joint.parent});
+    zeros(2);
+  }
+  void put(const JointPose& pose) {
+    for (const std::int16_t component : pose.rotation) half_word(component);
+    put(pose.translation);
+    put(pose.scale);
+  }
+  void put(const blob_layout::SkinRecord& skin) {
+    put(skin.vertices);
+    half_word(std::uint32_t{skin.mesh});
+    zeros(2);
+  }
+  void put(const blob_layout::ClipRecord& clip) {
+    for (const blob_layout::Range& range : {clip.name, clip.tracks, clip.joint_tracks}) put(range);
+    word(clip.duration);
   }
   void put(const blob_layout::AnimationRecord& animation) { word(animation.duration); }
   void put(const blob_layout::TurnRecord& turn) {
@@ -441,6 +465,50 @@ struct Pools {
   }
 };
 
+/// The records of skins and clips.
+struct CharacterPools {
+  Pool<VertexJoints> vertex_joints;
+  Pool<Keyframe> keyframes, joint_keyframes;
+  Pool<char> names;
+  std::vector<Track> tracks, joint_tracks;
+  std::vector<blob_layout::SkinRecord> skins;
+  std::vector<blob_layout::ClipRecord> clips;
+
+  explicit CharacterPools(const SceneBlob& content) {
+    for (const Skin& skin : content.skins) {
+      skins.push_back({.vertices = vertex_joints.add(skin.vertices),
+                       .mesh = static_cast<std::uint16_t>(skin.mesh - content.scene.meshes.data()),
+                       .unused = 0});
+    }
+    for (const Clip& clip : content.clips) {
+      clips.push_back({.name = names.add(std::span(clip.name, std::strlen(clip.name) + 1)),
+                       .tracks = add(clip.instances, keyframes, tracks),
+                       .joint_tracks = add(clip.joints, joint_keyframes, joint_tracks),
+                       .duration = clip.duration()});
+    }
+  }
+
+  /// Appends the tracks, with indices into all keyframes.
+  static blob_layout::Range add(const Animation& animation, Pool<Keyframe>& keyframes, std::vector<Track>& all) {
+    const std::uint32_t first = keyframes.add(animation.keyframes).first;
+    const auto first_track = static_cast<std::uint32_t>(all.size());
+    for (Track track : animation.tracks) {
+      track.first += first;
+      all.push_back(track);
+    }
+    return {first_track, static_cast<std::uint32_t>(animation.tracks.size())};
+  }
+
+  void add_to(blob_layout::Records& records) const {
+    records.clips = clips;
+    records.clip_names = names.all();
+    records.skins = skins;
+    records.vertex_joints = vertex_joints.all();
+    records.joint_tracks = joint_tracks;
+    records.joint_keyframes = joint_keyframes.all();
+  }
+};
+
 /// Returns the number of one of kPictureEffects.
 std::uint8_t number_of(Effects effects) {
   return static_cast<std::uint8_t>(std::ranges::find(kPictureEffects, effects) - std::begin(kPictureEffects));
@@ -450,8 +518,11 @@ std::uint8_t number_of(Effects effects) {
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   SceneBlob written = content;
+  const CharacterPools characters(content);
+  const bool has_clips = !content.clips.empty();
+  if (has_clips) written.animation = {characters.tracks, characters.keyframes.all()};
   // Animated instances do not rotate.
-  const bool is_animated = !content.animation.tracks.empty();
+  const bool is_animated = has_clips || !content.animation.tracks.empty();
   if (is_animated) written.turning_camera = nullptr;
   const Pools pools(content.scene);
   blob_layout::Records records = pools.records();
@@ -468,8 +539,13 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   records.base = &base;
   records.camera = &content.camera;
   records.picture = &picture;
+  characters.add_to(records);
+  if (!content.skins.empty()) {
+    records.joints = content.skins[0].joints;
+    records.joint_rest = content.skins[0].rest;
+  }
   if (is_animated) {
-    records.animation = &animation;
+    if (!has_clips) records.animation = &animation;
   } else if (content.turn != Turn{}) {
     records.turn = &turn;
   }

@@ -9,7 +9,8 @@
 
 namespace zstrip::sim {
 
-/// Equal scenes, cameras and views give equal bytes. Fails only above 4 GB.
+/// Equal scenes, cameras and views give equal bytes. Skins are of meshes of content.scene as they were modelled, in
+/// their order; `moved` is not read. Fails only above 4 GB.
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content);
 
 }  // namespace zstrip::sim

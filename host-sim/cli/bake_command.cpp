@@ -10,9 +10,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "bake/blob_characters.hpp"
 #include "bake/clipping.hpp"
 #include "bake/effects_found.hpp"
 #include "bake/flash_bytes.hpp"
@@ -68,17 +70,47 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Returns the skins that the output moves; a blob has none.
-BakedSkins skins_of(BakeKind kind, const Stage& stage, bool warn) {
-  const BakedSkins skins = skins_of(stage);
-  if (!skins.meshes.empty() && !is_source(kind)) {
+/// Returns the option because of which skins cannot be moved while they are drawn, as in a blob; empty if they can.
+std::string_view skins_stand_still(const BakeArguments& arguments, Effects method, const BakedSkins& skins,
+                                   const Scene& scene) {
+  if (method.any(zstrip::method::orders)) return "--visibility";
+  if (arguments.visible_sets) return "--visible-sets";
+  const auto is_skin = [&skins](const auto& set) { return skins.find(set.mesh) != nullptr; };
+  if (std::ranges::any_of(scene.edges, is_skin)) return "--edges";
+  return std::ranges::any_of(scene.lines, is_skin) ? "lines" : "";
+}
+
+/// The parts of the output that joints move: of a header the chosen animation, of a blob all clips.
+struct OutputSkins {
+  BakedSkins skins;
+  std::vector<ModelClip> clips;  ///< of a blob; empty: it has at most one animation, and that of instances
+};
+
+/// `file`: for messages.
+Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effects method, const Stage& stage,
+                             const Scene& scene, bool warn) {
+  if (is_source(kind)) return OutputSkins{skins_of(stage), {}};
+  OutputSkins output;
+  Result<std::vector<ModelClip>> clips = stage.clips();
+  if (!clips) return clips.failure();
+  const auto bends = [](const ModelClip& clip) { return !clip.joints.view().tracks.empty(); };
+  const Model* const model = stage.model();
+  if (model != nullptr && std::ranges::any_of(*clips, bends)) {
+    output.skins = {model->skins, model->joints, model->rest, {}};
+  }
+  const std::string_view why =
+      output.skins.meshes.empty() ? std::string_view() : skins_stand_still(arguments, method, output.skins, scene);
+  if (!why.empty()) {
     if (warn) {
       print_warning(
-          "a blob has no skins: what joints move stands still in it as at frame 0; a header (-o FILE.hpp) moves it");
+          fmt::format("with {} a blob has no skins: what joints move stands still in it as at frame 0; a header (-o "
+                      "FILE.hpp) moves it",
+                      why));
     }
-    return {};
+    return OutputSkins{};
   }
-  return skins;
+  if (!output.skins.meshes.empty() || clips->size() > 1) output.clips = std::move(*clips);
+  return output;
 }
 
 /// Returns the effects that the picture's settings choose in addition to the view.
@@ -166,7 +198,7 @@ BakeRecord describe(const BakeArguments& arguments, const Stage& stage, const Ba
                     .strip_buffers = baked.budget.strip_buffers,
                     .lent_bytes = {},
                     .warnings = stage.warnings(),
-                    .skin_ram = skin_ram(baked.skins),
+                    .skin_ram = baked.characters != nullptr ? baked.characters->ram() : skin_ram(baked.skins),
                     .edges_left_out = baked.edges_left_out};
   if (model != nullptr) record.accuracy = model->accuracy;
   if (model != nullptr) record.shrunk = model->shrunk;
@@ -181,6 +213,7 @@ BakeRecord describe(const BakeArguments& arguments, const Stage& stage, const Ba
 Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camera& turning_camera, BakeRecord& record) {
   const Effects picture = baked.effects & (effect::perspective_runs | effect::depth_formats);
   const bool has_other_camera = !same(turning_camera, baked.camera);
+  const BlobCharacters* const characters = baked.characters;
   Result<std::vector<std::uint8_t>> blob =
       to_scene_blob({.scene = baked.scene,
                      .camera = baked.camera,
@@ -189,10 +222,13 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
                      .animation = baked.animation,
                      .turn = baked.turn,
                      .turning_camera = has_other_camera ? &turning_camera : nullptr,
-                     .effects = picture});
+                     .effects = picture,
+                     .clips = characters != nullptr ? characters->clips() : std::span<const Clip>(),
+                     .skins = characters != nullptr ? characters->skins() : std::span<const Skin>()});
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
+  if (characters != nullptr) record.flash.keyframes = characters->keyframe_bytes();
   record.flash.tables = blob->size() - record.flash.arrays();
-  record.lent_bytes = table_bytes(baked.scene);
+  record.lent_bytes = table_bytes(baked.scene) + (characters != nullptr ? characters->table_bytes() : 0);
   return blob;
 }
 
@@ -325,7 +361,10 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
     const Result<Done> drawn = check_for_pico(effects_of(staging->scene, staging->camera) | picture_effects(*request));
     if (!drawn) return drawn.failure();
   }
-  const BakedSkins skins = skins_of(*kind, **stage, trial == nullptr);
+  const Result<OutputSkins> output_skins =
+      skins_of(*kind, arguments, request->method, **stage, staging->scene, trial == nullptr);
+  if (!output_skins) return output_skins.failure();
+  const BakedSkins& skins = output_skins->skins;
   const Result<PreparedScene> prepared =
       prepare_for(request->method, arguments.visible_sets.has_value(), *staging, (*stage)->animation(), skins);
   if (!prepared) return prepared.failure();
@@ -337,10 +376,20 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   const MipmappedScene mipmapped(unmoved.scene(), mipmap_choice(arguments.mipmaps));
   const PalettedScene paletted(mipmapped.scene(), texture_choice(arguments.textures));
   at_rest.scene = paletted.scene();
-  const Result<Turn> turn = turn_of(**stage, request->method, turntable, *staging);
+  std::optional<BlobCharacters> characters;
+  if (!output_skins->clips.empty()) {
+    characters.emplace(at_rest.scene, skins, output_skins->clips);
+    if (const Result<Done> posed = characters->pose_all(); !posed) {
+      return Failure{posed.failure().status, fmt::format("'{}': {}", arguments.scene, posed.failure().message)};
+    }
+    at_rest.scene = characters->scene();
+  }
+  const Result<Turn> turn = characters ? Result<Turn>(Turn{.what = Turning::nothing})
+                                       : turn_of(**stage, request->method, turntable, *staging);
   if (!turn) return turn.failure();
   if (for_pico) {
-    request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, *pico_file);
+    request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, characters ? &*characters : nullptr,
+                               *pico_file);
     if (!request) {
       return Failure{request.failure().status, fmt::format("'{}' {}", arguments.scene, request.failure().message)};
     }
@@ -352,6 +401,7 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   Result<BakedScene> baked = plan_baked(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   if (shown) baked->edges_left_out = shown->left_out();
+  if (characters) baked->characters = &*characters;
   if (project) {
     if (const Result<Done> shown_by = check_for_project(*baked, arguments.name_space, *project); !shown_by) {
       return shown_by.failure();

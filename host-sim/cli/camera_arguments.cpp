@@ -18,7 +18,10 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
       .add_option("--up", a.up, "A model's axis that points upwards: x, -x, y, -y, z, -z (default: as its format says)")
       ->transform(lower_case())
       ->type_name("AXIS");
-  command.add_option("--animation", a.animation, "An animation of a glTF 2.0 file, by its name (default: the first)")
+  command
+      .add_option(
+          "--animation", a.animation,
+          "An animation of a glTF 2.0 file or a baked scene, by its name (default: the first; a blob keeps all)")
       ->type_name("NAME");
   command.add_flag("--highlights", a.highlights,
                    "Highlights of a glTF 2.0 file's materials, by their roughness and metal (default: none)");
@@ -116,6 +119,7 @@ Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::st
                              : arguments.light           ? "--light"
                                                          : nullptr;
   if (kind_of_scene(scene) == SceneKind::model || option == nullptr) return options;
+  if (kind_of_scene(scene) == SceneKind::baked && option == std::string_view("--animation")) return options;
   switch (kind_of_scene(scene)) {
     case SceneKind::built_in:
       return usage(fmt::format("{} is for model files; '{}' is a built-in scene", option, scene));

@@ -85,9 +85,9 @@ Status planned_on_pico(const PlanRequest& request, const Staging& staging, std::
 }  // namespace
 
 Result<PlanRequest> request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
-                                     const Turn& turn, const PicoFile& file) {
+                                     const Turn& turn, const BlobCharacters* characters, const PicoFile& file) {
   const pico::Board& board = file.board;
-  const std::uint64_t kept = kept_on_pico(staging.scene, animation, turn);
+  const std::uint64_t kept = kept_on_pico(staging.scene, animation, turn, characters);
   const auto planned_on = [&](const pico::Board& any) { return planned_on_pico(request, staging, kept, any); };
   if (const Status planned = planned_on(board); planned.error == Error::arena_too_small) {
     const auto* const larger = std::ranges::find_if(

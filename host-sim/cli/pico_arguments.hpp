@@ -14,6 +14,8 @@
 
 namespace zstrip::sim {
 
+class BlobCharacters;
+
 /// The options as given on the command line.
 struct PicoArguments {
   std::optional<std::string> program;
@@ -45,8 +47,8 @@ Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::optional<
 PlanArguments plan_arguments_for_pico(PlanArguments plan);
 
 /// Returns a request within the memory of the program, with the program's number of rows if it fits. Fails if none of
-/// the program's plans fits: it plans by itself, without the options.
+/// the program's plans fits: it plans by itself, without the options. `characters`: null if there are none.
 Result<PlanRequest> request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
-                                     const Turn& turn, const PicoFile& file);
+                                     const Turn& turn, const BlobCharacters* characters, const PicoFile& file);
 
 }  // namespace zstrip::sim

@@ -37,6 +37,10 @@ std::string reason(const Status& status, std::span<const std::uint8_t> bytes) {
   }
 }
 
+constexpr Position kCorners[] = {{-32767, -32767, -32767}, {32767, -32767, -32767}, {-32767, 32767, -32767},
+                                 {32767, 32767, -32767},   {-32767, -32767, 32767}, {32767, -32767, 32767},
+                                 {-32767, 32767, 32767},   {32767, 32767, 32767}};
+
 class BlobStage : public CameraStage {
  public:
   explicit BlobStage(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
@@ -59,10 +63,23 @@ class BlobStage : public CameraStage {
     const std::vector<Instance> poses = all_poses(animation(), blob_.scene.instances);
     Scene whole = blob_.scene;
     whole.instances = poses;
+    // A skin may be anywhere in its mesh's box.
+    std::vector<Mesh> boxes(whole.meshes.begin(), whole.meshes.end());
+    for (const Skin& skin : blob_.skins)
+      boxes[static_cast<std::size_t>(skin.mesh - whole.meshes.data())].positions = kCorners;
+    whole.meshes = boxes;
     return place_camera(options(), Units{}, radius_about_origin(whole));
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    if (!blob_.skins.empty()) {
+      PlayedClip played{.clip = clip_};
+      if (!blob_.clips.empty()) played.time = time_of_frame(blob_.clips[clip_].instances, frame, frames);
+      if (const Status posed = pose_clips(blob_.clips, {&played, 1}, blob_.moved); !posed) {
+        return Failure{ExitStatus::input, fmt::format("{} ms after its start the animation moves joint {} too far",
+                                                      played.time, posed.needed)};
+      }
+    }
     return parts_.place({blob_.scene, chosen_camera(), animation(), turn()}, blob_.tree, frame, frames);
   }
 
@@ -70,11 +87,28 @@ class BlobStage : public CameraStage {
     auto stage = std::make_unique<BlobStage>(bytes_);
     static_cast<void>(stage->open());  // these bytes have been opened before without an error
     stage->take_camera(*this);
+    stage->clip_ = clip_;
     return stage;
   }
 
+  /// Shows the clip of this name.
+  Result<Done> choose(const std::string& name) {
+    std::string names;
+    for (std::size_t i = 0; i < blob_.clips.size(); ++i) {
+      if (blob_.clips[i].name == name) {
+        clip_ = static_cast<std::uint16_t>(i);
+        return Done{};
+      }
+      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", blob_.clips[i].name);
+    }
+    return Failure{ExitStatus::input, fmt::format("there is no animation '{}' in the baked scene; {}", name,
+                                                  names.empty() ? "it has no names of animations" : "it has " + names)};
+  }
+
   const std::vector<std::string>& warnings() const override { return warnings_; }
-  Animation animation() const override { return blob_.animation; }
+  Animation animation() const override { return blob_.clips.empty() ? blob_.animation : blob_.clips[clip_].instances; }
+  bool bends() const override { return !blob_.skins.empty() && !joint_animation().tracks.empty(); }
+  Animation joint_animation() const override { return blob_.clips.empty() ? Animation{} : blob_.clips[clip_].joints; }
   /// With a camera from the options, the scene does not move if the motion is one around the blob's own camera.
   Turn turn() const override {
     if (blob_.turn.what == Turning::camera && options().placed()) return {.what = Turning::nothing};
@@ -90,6 +124,7 @@ class BlobStage : public CameraStage {
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint64_t> memory_;
   SceneBlob blob_;
+  std::uint16_t clip_ = 0;
   TurnedParts parts_;
   std::vector<std::string> warnings_;
 };
@@ -107,9 +142,12 @@ Result<std::unique_ptr<BlobStage>> open(const std::string& path) {
 }  // namespace
 
 Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options, const View& view,
-                                               std::uint32_t frames) {
+                                               std::uint32_t frames, const std::optional<std::string>& clip) {
   Result<std::unique_ptr<BlobStage>> stage = open(path);
   if (!stage) return stage.failure();
+  if (clip) {
+    if (const Result<Done> chosen = (*stage)->choose(*clip); !chosen) return chosen.failure();
+  }
   if (const Result<Done> camera = (*stage)->set_camera(options, view, frames); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(*stage));
 }

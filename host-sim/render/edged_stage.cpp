@@ -28,6 +28,7 @@ class EdgedStage : public Stage {
   Animation animation() const override { return stage_->animation(); }
   bool bends() const override { return stage_->bends(); }
   Animation joint_animation() const override { return stage_->joint_animation(); }
+  Result<std::vector<ModelClip>> clips() const override { return stage_->clips(); }
   Turn turn() const override { return stage_->turn(); }
   Origins origins() const override { return stage_->origins(); }
   const Model* model() const override { return stage_->model(); }

@@ -40,9 +40,22 @@ Result<Done> check(const Scene& scene, const std::string& name) {
                                                    name, message(status.error), status.needed)};
 }
 
-/// The animations of a file's instances and joints.
+Result<ModelClip> fit_clip(const Model& model, const NodeAnimation& animation, const std::string& file) {
+  const auto named = [&](const Failure& failure) {
+    return Failure{failure.status, fmt::format("'{}': the animation '{}' {}; choose another with --animation", file,
+                                               animation.name, failure.message)};
+  };
+  Result<FittedAnimation> instances = fit_model_animation(model, animation);
+  if (!instances) return named(instances.failure());
+  Result<FittedAnimation> joints = fit_joint_animation(model, animation);
+  if (!joints) return named(joints.failure());
+  return ModelClip{animation.name, std::move(*instances), std::move(*joints)};
+}
+
+/// The animation that is shown, and whether it was chosen by its name.
 struct ModelMotion {
-  FittedAnimation instances, joints;
+  ModelClip shown;
+  bool is_chosen = false;
 };
 
 /// Returns the file's animation of this name, or its first one.
@@ -50,15 +63,9 @@ Result<ModelMotion> motion_of(const Model& model, const std::optional<std::strin
   const Result<const NodeAnimation*> chosen = find_animation(model, name);
   if (!chosen) return chosen.failure();
   if (*chosen == nullptr) return ModelMotion();
-  const auto named = [&](const Failure& failure) {
-    return Failure{failure.status, fmt::format("'{}': the animation '{}' {}; choose another with --animation", file,
-                                               (*chosen)->name, failure.message)};
-  };
-  Result<FittedAnimation> instances = fit_model_animation(model, **chosen);
-  if (!instances) return named(instances.failure());
-  Result<FittedAnimation> joints = fit_joint_animation(model, **chosen);
-  if (!joints) return named(joints.failure());
-  return ModelMotion{std::move(*instances), std::move(*joints)};
+  Result<ModelClip> clip = fit_clip(model, **chosen, file);
+  if (!clip) return clip.failure();
+  return ModelMotion{std::move(*clip), name.has_value()};
 }
 
 std::vector<std::string> names_of_built_in() {
@@ -127,7 +134,7 @@ class ModelStage : public CameraStage {
              const DefaultLook& look)
       : model_(std::move(model)),
         motion_(std::move(motion)),
-        skins_(*model_, motion_->joints.view(), file),
+        skins_(*model_, motion_->shown.joints.view(), file),
         instances_(model_->instances),
         lines_(model_->lines),
         lights_(model_->lights),
@@ -158,7 +165,7 @@ class ModelStage : public CameraStage {
   Result<Camera> camera(std::uint32_t frames) const override {
     const double degrees = options().field_of_view.value_or(kDefaultFieldOfView);
     const std::vector<Instance> poses = all_poses(animation(), model_->instances);
-    SkinnedMeshes skins(*model_, motion_->joints.view(), file_);
+    SkinnedMeshes skins(*model_, motion_->shown.joints.view(), file_);
     const Result<std::span<const Mesh>> posed = skins.all_poses();
     if (!posed) return posed.failure();
     Scene whole = scene_;
@@ -194,9 +201,21 @@ class ModelStage : public CameraStage {
   }
 
   const std::vector<std::string>& warnings() const override { return model_->warnings; }
-  Animation animation() const override { return motion_->instances.view(); }
+  Animation animation() const override { return motion_->shown.instances.view(); }
   bool bends() const override { return skins_.moves(); }
-  Animation joint_animation() const override { return motion_->joints.view(); }
+  Animation joint_animation() const override { return motion_->shown.joints.view(); }
+  Result<std::vector<ModelClip>> clips() const override {
+    std::vector<ModelClip> clips;
+    for (const NodeAnimation& animation : model_->tree.animations) {
+      if (motion_->is_chosen && animation.name != motion_->shown.name) continue;
+      Result<ModelClip> clip = fit_clip(*model_, animation, file_);
+      if (!clip) return clip.failure();
+      const bool bends = !clip->joints.view().tracks.empty() && !model_->skins.empty();
+      if (bends || !clip->instances.view().tracks.empty()) clips.push_back(std::move(*clip));
+      if (motion_->is_chosen) break;
+    }
+    return clips;
+  }
   Turn turn() const override { return bends() ? Turn{.what = Turning::nothing} : Turn{}; }
   Origins origins() const override {
     return {model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};
@@ -264,7 +283,9 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
                                "built-in ones",
                                name, near.empty() ? "" : fmt::format("did you mean '{}'? ", near))};
   }
-  if (kind_of_scene(name) == SceneKind::baked) return open_blob_stage(name, options, view, frames);
+  if (kind_of_scene(name) == SceneKind::baked) {
+    return open_blob_stage(name, options, view, frames, model_options.animation);
+  }
   if (kind_of_scene(name) == SceneKind::composed) return open_composed_stage(name, options, view, frames);
   Result<Model> model = import_model(name, model_options.up, Texcoords::of_textures, BackFaces::lit_alike,
                                      {model_options.highlights, model_options.style}, model_options.reduction);

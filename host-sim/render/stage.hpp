@@ -11,6 +11,7 @@
 #include "import/model.hpp"
 #include "render/camera.hpp"
 #include "render/default_look.hpp"
+#include "render/model_clip.hpp"
 #include "result.hpp"
 #include "zstrip/animation.hpp"
 #include "zstrip/camera.hpp"
@@ -47,6 +48,8 @@ class Stage {
   virtual bool bends() const { return false; }
   /// Returns the motion of the joints of model()'s skins, if they move. Valid as long as the stage.
   virtual Animation joint_animation() const { return {}; }
+  /// Returns the animations that a blob keeps, those of a model file that move something: the chosen one, or all.
+  virtual Result<std::vector<ModelClip>> clips() const { return std::vector<ModelClip>(); }
   /// Returns the motion for scenes without an animation.
   virtual Turn turn() const = 0;
   /// Returns the places in the file that need effects, and the names of materials.

@@ -144,8 +144,9 @@ std::string bake_summary(const BakeRecord& record) {
   text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view), method),
                       record.strip_buffers == 2 ? ", twice" : "");
   if (record.skin_ram.vertices > 0) {
-    text += fmt::format("             and {} for the vertices that joints move, {} for the joints\n",
-                        counted(record.skin_ram.vertices, "byte"), grouped(record.skin_ram.joints));
+    text += fmt::format("             and {} {}for the vertices that joints move, {} for the joints\n",
+                        counted(record.skin_ram.vertices, "byte"), record.lent_bytes ? "to lend " : "",
+                        grouped(record.skin_ram.joints));
   }
   if (record.method) {
     text += fmt::format("  visibility {}; {}\n", visibility_words(record.plan, method),

@@ -13,13 +13,39 @@
 namespace zstrip::sim::test {
 namespace {
 
-/// What cannot move a skin says so, or refuses what would be wrong.
-TEST_F(Bake, SkinsStandStillInBlobsAndHaveNoOrderOfTriangles) {
+/// A blob has all animations of its file, or the one that was chosen.
+TEST_F(Bake, BlobsDrawTheClipsOfAFigure) {
   const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
-  const Outcome blob = run(ZSTRIP_COMMAND, {"bake", figure, "-o", "figure.zsc", "--quiet"}, path(""));
-  EXPECT_EQ(blob.status, 0);
-  EXPECT_NE(blob.err.find("a blob has no skins"), std::string::npos) << blob.err;
-  EXPECT_EQ(crcs("figure.zsc", {}, 1), crcs(figure, {}, 1));
+  const Json baked = report({"bake", figure, "-o", "figure.zsc"});
+  EXPECT_EQ(crcs("figure.zsc", {}, 7), crcs(figure, {}, 7));
+  report({"bake", figure, "-o", "wave.zsc", "--animation", "wave"});
+  EXPECT_EQ(crcs("wave.zsc", {}, 7), crcs(figure, {"--animation", "wave"}, 7));
+  EXPECT_EQ(crcs("wave.zsc", {"--animation", "wave"}, 7), crcs("wave.zsc", {}, 7));
+  EXPECT_NE(crcs("figure.zsc", {"--animation", "wave"}, 3), crcs("figure.zsc", {}, 3));
+  const Outcome unknown = run(ZSTRIP_COMMAND, {"render", "figure.zsc", "--animation", "run"}, path(""));
+  EXPECT_EQ(unknown.status, 4);
+  EXPECT_NE(unknown.err.find("it has 'walk', 'wave'"), std::string::npos) << unknown.err;
+  // The RAM of a meshlet's vertices and of the joints.
+  const Json& ram = baked.at("plan").at("ram_bytes");
+  EXPECT_EQ(ram.at("moved_vertices"), 64 * 10);
+  EXPECT_EQ(ram.at("joints"), 16 * 80);
+  const Json& flash = baked.at("flash_bytes");
+  EXPECT_EQ(flash.at("total"), std::filesystem::file_size(path("figure.zsc")));
+}
+
+/// What cannot move a skin says so, or refuses what would be wrong.
+TEST_F(Bake, SkinsStandStillWithEdgesAndHaveNoOrderOfTriangles) {
+  const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--edges"}, {"--visibility", "painter-bsp"}, {"--visible-sets", "figure.zvs"}}) {
+    std::vector<std::string> arguments{"bake", figure, "-o", "still.zsc", "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome blob = run(ZSTRIP_COMMAND, arguments, path(""));
+    EXPECT_EQ(blob.status, 0) << blob.err;
+    EXPECT_NE(blob.err.find("with " + options[0] + " a blob has no skins"), std::string::npos) << blob.err;
+    const std::vector<std::string> shown = crcs("still.zsc", {}, 2);
+    EXPECT_EQ(shown[0], shown[1]);
+  }
   const Outcome header = run(ZSTRIP_COMMAND, {"bake", figure, "-o", "figure.hpp", "--quiet"}, path(""));
   EXPECT_EQ(header.status, 0);
   EXPECT_EQ(header.err, "");

@@ -136,6 +136,18 @@ Bytes edges_bytes() {
   EXPECT_TRUE(bytes);
   return bytes ? *bytes : Bytes{};
 }
+SceneBlob skin_sample() {
+  SceneBlob blob = sample();
+  blob.scene.meshes = kBindMeshes;
+  blob.clips = kClips;
+  blob.skins = kSkins;
+  return blob;
+}
+Bytes skin_bytes() {
+  const Result<Bytes> bytes = to_scene_blob(skin_sample());
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
 Bytes turn_bytes() { return bytes_with_lines(kTurn, &kTurningCamera, effect::depth_24); }
 
 }  // namespace zstrip::sim::test

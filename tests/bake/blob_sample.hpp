@@ -125,15 +125,50 @@ inline constexpr Shadow kShadow{.light = 1, .log2_size = 5, .bias = 77};
 inline constexpr Turn kTurn{.what = Turning::instances, .still_instances = 2};
 inline constexpr Camera kTurningCamera{.eye = {1, -2, 300000}, .focal = 70000, .fixed_depth_range = true};
 
+// Two skins of two joints, and two clips: one moves an instance and a joint, the other two joints.
+inline constexpr Mesh kBindMeshes[] = {
+    {kPositions, kNormals, {}, {}, kTriangles, kMeshlets, {100, -200, 300}, {65536, 65536, 65536}, 12},
+    {kPositions, {}, {}, {}, kTriangles, {}, {0, 0, 0}, {70000, 70000, 70000}, 4}};
+inline constexpr Joint kJoints[] = {{{{{60000, 1, 2, 3}, {4, 60000, 5, -6}, {7, 8, 60000, 9}}}, kNoJoint},
+                                    {Transform::identity(), 0}};
+inline constexpr JointPose kRest[] = {{{0, 0, 0, 32767}, {100, 200, -300}, {65536, 65536, 65536}},
+                                      {{0, 23170, 0, 23170}, {-1, 2, 3}, {60000, 65536, 70000}}};
+inline constexpr VertexJoints kVertexJoints[] = {{{0, 1, 0, 0}, {155, 100, 0, 0}},
+                                                 {{1, 0, 0, 0}, {255, 0, 0, 0}},
+                                                 {{0, 1, 0, 1}, {100, 80, 50, 25}},
+                                                 {{1, 1, 1, 1}, {255, 0, 0, 0}}};
+inline constexpr Skin kSkins[] = {
+    {.mesh = &kBindMeshes[0], .vertices = kVertexJoints, .joints = kJoints, .rest = kRest},
+    {.mesh = &kBindMeshes[1], .vertices = kVertexJoints, .joints = kJoints, .rest = kRest}};
+inline constexpr Keyframe kWalkKeys[] = {{0, {0, 0, 0, 32767}, {10, 20, 30}, {65536, 65536, 65536}},
+                                         {900, {0, 23170, 0, 23170}, {-10, 0, 300}, {65536, 65536, 65536}},
+                                         {100, {0, 0, 23170, 23170}, {1, 2, 3}, {50000, 65536, 65536}}};
+inline constexpr Keyframe kWaveKeys[] = {{5, {32767, 0, 0, 0}, {7, 8, 9}, {65536, 65536, 65536}},
+                                         {0, {0, 0, 0, 32767}, {0, 0, 0}, {65536, 65536, 40000}},
+                                         {300, {23170, 0, 0, 23170}, {0, 0, 1000}, {65536, 65536, 40000}}};
+inline constexpr Track kWalkInstances[] = {{.instance = 2, .count = 2, .first = 0}};
+inline constexpr Track kWalkJoints[] = {{.instance = 1, .count = 1, .first = 2}};
+inline constexpr Track kWaveJoints[] = {{.instance = 1, .count = 1, .first = 0},
+                                        {.instance = 0, .count = 2, .first = 1}};
+inline constexpr Clip kClips[] = {
+    {.name = "walk", .instances = {kWalkInstances, kWalkKeys, 1000}, .joints = {kWalkJoints, kWalkKeys, 1000}},
+    {.name = "w\xC3\xA4ve", .instances = {{}, {}, 700}, .joints = {kWaveJoints, kWaveKeys, 700}}};
+/// What skin_bytes() needs.
+inline constexpr std::size_t kSkinMemory =
+    scene_blob_memory(2, 2) + character_memory({.skins = 2, .joints = 2, .clips = 2, .positions = 4, .normals = 4});
+
 SceneBlob sample();
+SceneBlob skin_sample();
 /// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles; with kLines,
-/// kOutlines and kShadow; the same with kTurn and kTurningCamera, of a picture with depth as z24; with kEdgeSets.
+/// kOutlines and kShadow; the same with kTurn and kTurningCamera, of a picture with depth as z24; with kEdgeSets; those
+/// of skin_sample().
 Bytes sample_bytes();
 Bytes palette_bytes();
 Bytes tree_bytes();
 Bytes lines_bytes();
 Bytes turn_bytes();
 Bytes edges_bytes();
+Bytes skin_bytes();
 
 template <class Record>
 void expect_same_bytes(std::span<const Record> actual, std::span<const Record> expected) {

@@ -75,6 +75,7 @@ void expect_every_part_refused(const Bytes& whole) {
 TEST(SceneBlob, TruncatedAtEveryLengthWithATree) { expect_every_part_refused(tree_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithLines) { expect_every_part_refused(lines_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithEdges) { expect_every_part_refused(edges_bytes()); }
+TEST(SceneBlob, TruncatedAtEveryLengthWithSkins) { expect_every_part_refused(skin_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithATurn) { expect_every_part_refused(turn_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithPalettes) { expect_every_part_refused(palette_bytes()); }
 
@@ -117,10 +118,23 @@ void draw(const SceneBlob& content, Effects method = {}) {
   EXPECT_TRUE(drawn.status || drawn.pixels.empty()) << "begun, but not drawn";
 }
 
+/// Safe at any time, through a fade too; a pose may be refused.
+void pose_at_many_times(const SceneBlob& content) {
+  PlayedClips played;
+  if (content.clips.size() > 1) played.play(1, 500);
+  std::vector<Instance> instances(content.scene.instances.size());
+  for (int i = 0; i < 3; ++i) {
+    (void)pose_clips(content.clips, played.all(), content.moved);
+    if (content.clips.empty()) return;
+    pose_clips(content.clips, played.all(), content.scene.instances, instances);
+    played.advance(200, content.clips);
+  }
+}
+
 /// Who writes a wrong value also writes its checksum.
 TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
   for (const Bytes& whole :
-       {sample_bytes(), tree_bytes(), palette_bytes(), lines_bytes(), turn_bytes(), edges_bytes()}) {
+       {sample_bytes(), tree_bytes(), palette_bytes(), lines_bytes(), turn_bytes(), edges_bytes(), skin_bytes()}) {
     const bool has_tree = entry_of(whole, "tree") != 0;
     std::size_t refused = 0, drawn = 0;
     for (std::size_t at = 12; at < whole.size(); ++at) {
@@ -128,12 +142,13 @@ TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
         Bytes changed = whole;
         changed[at] = static_cast<std::uint8_t>(value);
         mend(changed);
-        const Opened opened(changed, scene_blob_memory(300, 300, 255, 190));
+        const Opened opened(changed, scene_blob_memory(300, 300, 255, 190) + 4096);
         if (!opened.status) {
           ++refused;
           continue;
         }
         ++drawn;
+        pose_at_many_times(opened.content);
         draw(opened.content, has_tree ? method::painter | method::bsp : Effects{});
       }
     }
@@ -143,12 +158,12 @@ TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
 }
 
 TEST(SceneBlob, SectionsBeyondTheEnd) {
-  for (const Bytes& whole : {sample_bytes(), tree_bytes(), lines_bytes(), edges_bytes()}) {
+  for (const Bytes& whole : {sample_bytes(), tree_bytes(), lines_bytes(), edges_bytes(), skin_bytes()}) {
     const auto with = [&whole](std::size_t at, std::uint32_t value) {
       Bytes changed = whole;
       put_word(changed, at, value);
       mend(changed);
-      return Opened(changed, scene_blob_memory(2, 2, 2, 2)).status;
+      return Opened(changed, kSkinMemory + scene_blob_memory(0, 0, 2, 2)).status;
     };
     for (std::uint32_t entry = 16; entry < 16 + 12 * word(whole, 12); entry += 12) {
       const std::uint32_t offset = word(whole, entry + 4), bytes = word(whole, entry + 8);
@@ -180,7 +195,7 @@ TEST(SceneBlob, RecordsThatAreNotThere) {
                         {sample_bytes(), "MESH", 16, "COLR", 4}, {sample_bytes(), "MESH", 24, "TEXC", 4},
                         {sample_bytes(), "MESH", 32, "TRIA", 6}, {sample_bytes(), "MESH", 40, "MLET", 20},
                         {sample_bytes(), "TEXT", 12, "TEXL", 2}, {lines_bytes(), "LSET", 0, "SEGM", 4},
-                        {edges_bytes(), "ESET", 0, "EDGE", 8}};
+                        {edges_bytes(), "ESET", 0, "EDGE", 8},   {skin_bytes(), "SKIN", 0, "VJOI", 8}};
   for (const Case& one : cases) {
     const std::uint32_t at = section(one.bytes, one.section) + one.at;
     const std::uint32_t all = section_bytes(one.bytes, one.named) / one.record;
@@ -190,7 +205,7 @@ TEST(SceneBlob, RecordsThatAreNotThere) {
       put_word(changed, at, first);
       put_word(changed, at + 4, count);
       mend(changed);
-      return Opened(changed, scene_blob_memory(2, 2, 2, 2)).status;
+      return Opened(changed, kSkinMemory + scene_blob_memory(0, 0, 2, 2)).status;
     };
     for (const auto& [first, count] : {std::pair{0U, all + 1},
                                        {1U, all},

@@ -70,6 +70,14 @@ void moved() {
   // docs/player.md: A model that the program moves
 }
 
+namespace characters {
+std::uint32_t figure[1];
+
+void waves() {
+  // docs/player.md: Characters
+}
+}  // namespace characters
+
 void touched() {
   // docs/player.md: Which part was touched
 }

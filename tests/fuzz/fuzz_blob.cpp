@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bake/scene_blob.hpp"
+#include "characters_input.hpp"
 #include "edges_input.hpp"
 #include "input.hpp"
 #include "overlay_input.hpp"
@@ -196,8 +197,65 @@ void judge_tree(const SceneBlob& content) {
   fuzz::require(std::ranges::count(visits, 1) == static_cast<std::ptrdiff_t>(triangles), "each triangle once");
 }
 
-void judge_written(const fuzz::SceneInput& input, const Scene& scene, const Opened& opened) {
-  const bool valid = valid_values(input, scene) && validate(scene) && usable(input.camera());
+/// Each skin as skin_mesh moves it, in memory of exactly its size; a mesh that leaves its box keeps its shape.
+struct MovedMeshes {
+  struct Moved {
+    std::vector<Position> positions;
+    std::vector<Normal> normals;
+    std::vector<Meshlet> meshlets;
+  };
+  std::vector<Mesh> meshes;
+  std::vector<Moved> moved;
+  bool all = true;  ///< no mesh leaves its box
+
+  MovedMeshes(const SceneBlob& content, std::span<const JointPose> joints)
+      : meshes(content.scene.meshes.begin(), content.scene.meshes.end()), moved(content.skins.size()) {
+    std::vector<Transform> work(joints.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const Mesh& bind = *content.skins[i].mesh;
+      moved[i].positions.resize(bind.positions.size());
+      moved[i].normals.resize(bind.normals.size());
+      moved[i].meshlets.resize(bind.meshlets.size());
+      const MovedVertices vertices{moved[i].positions, moved[i].normals, moved[i].meshlets};
+      all = skin_mesh(content.skins[i], joints, work, vertices) && all;
+      Mesh& mesh = meshes[static_cast<std::size_t>(&bind - content.scene.meshes.data())];
+      mesh = moved_mesh(bind, vertices);
+      mesh.skinning = nullptr;
+    }
+  }
+};
+
+/// What the clips pose during a fade is drawn as skin_mesh moves it, or the pose is refused; nobody is harmed.
+void judge_skins(const SceneBlob& content) {
+  std::vector<Instance> instances(content.scene.instances.size());
+  PlayedClips played;
+  if (content.clips.size() > 1) played.play(1, 1000);
+  for (const std::uint32_t passed : {0U, 130U, 700U}) {
+    if (!content.clips.empty()) {
+      played.advance(passed, content.clips);
+      pose_clips(content.clips, played.all(), content.scene.instances, instances);
+    }
+    const Status posed = pose_clips(content.clips, played.all(), content.moved);
+    fuzz::require(posed || posed.error == Error::skin, "a pose is refused as a skin");
+    if (content.skins.empty()) continue;
+    const MovedMeshes moved(content, content.moved.pose);
+    if (posed && moved.all) {
+      constexpr View kView{40, 30, PixelFormat::rgb565};
+      Scene before = content.scene;
+      before.meshes = moved.meshes;
+      const fuzz::Picture expected =
+          fuzz::draw(before, content.camera, kView, {.effects = effects_of(before, content.camera), .budget = {}});
+      const fuzz::Picture got = fuzz::draw(content.scene, content.camera, kView,
+                                           {.effects = effects_of(content.scene, content.camera), .budget = {}});
+      if (expected.status && got.status) fuzz::require(expected.pixels == got.pixels, "the pixels of moved meshes");
+    }
+  }
+}
+
+/// The pixels are those of the meshes as they were modelled, because nothing has posed them.
+void judge_written(const fuzz::SceneInput& input, const Scene& scene, const fuzz::CharactersInput& characters,
+                   const Opened& opened) {
+  const bool valid = valid_values(input, scene) && validate(scene) && usable(input.camera()) && characters.valid(scene);
   fuzz::require(static_cast<bool>(opened.status) == valid, "a blob opens if its scene is valid: %s",
                 message(opened.status.error));
   if (!valid) return;
@@ -205,12 +263,14 @@ void judge_written(const fuzz::SceneInput& input, const Scene& scene, const Open
   const Effects effects = effects_of(scene, input.camera());
   // Without images and fonts an overlay has no section, and draws nothing.
   const bool is_empty = scene.overlay != nullptr && scene.overlay->images.empty() && scene.overlay->fonts.empty();
-  fuzz::require((is_empty ? without(effects, effect::overlay) : effects) ==
-                    effects_of(opened.content.scene, opened.content.camera),
+  const Effects read = effects_of(opened.content.scene, opened.content.camera);
+  fuzz::require((is_empty ? without(effects, effect::overlay) : effects) == without(read, effect::skins),
                 "the same effects");
+  for (const Skin& skin : opened.content.skins) fuzz::require(skin.mesh->skinning != nullptr, "a mesh has its skin");
+  fuzz::require(opened.content.skins.size() == characters.skins().size(), "as many skins");
   const fuzz::Picture expected = fuzz::draw(scene, input.camera(), input.view(), {.effects = effects, .budget = {}});
   const fuzz::Picture got =
-      fuzz::draw(opened.content.scene, opened.content.camera, opened.content.view, {.effects = effects, .budget = {}});
+      fuzz::draw(opened.content.scene, opened.content.camera, opened.content.view, {.effects = read, .budget = {}});
   fuzz::require(expected.status == got.status, "the same status");
   fuzz::require(expected.pixels == got.pixels, "the same pixels");
 }
@@ -250,6 +310,7 @@ void judge_any(const Bytes& bytes) {
   (void)fuzz::draw(opened.content.scene, opened.content.camera, kView,
                    {.effects = effects_of(opened.content.scene, opened.content.camera), .budget = {}});
   judge_turn(opened.content);
+  judge_skins(opened.content);
 }
 
 }  // namespace
@@ -290,19 +351,25 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   content.edges = edges.sets;
   const fuzz::OverlayInput overlay(input);
   content.overlay = overlay.overlay();
+  const fuzz::CharactersInput characters(scene.scene(), input);
+  content.meshes = characters.meshes();
   const SceneBlob whole{.scene = content,
                         .camera = scene.camera(),
                         .view = scene.view(),
                         .tree = {nodes},
                         .turn = turn,
                         .turning_camera = turns_another_camera == 1 ? &turning_camera : nullptr,
-                        .effects = picture_effects};
+                        .effects = picture_effects,
+                        .clips = characters.clips(),
+                        .skins = characters.skins()};
   const auto written = sim::to_scene_blob(whole);
   fuzz::require(static_cast<bool>(written), "any scene can be written");
   if (kind == 0) {
     const Opened opened(*written);
-    judge_written(scene, content, opened);
-    if (opened.status) judge_motion(whole, opened.content);
+    judge_written(scene, content, characters, opened);
+    if (!opened.status) return 0;
+    if (characters.clips().empty()) judge_motion(whole, opened.content);
+    judge_skins(opened.content);
     return 0;
   }
   Bytes bytes = edited(*written, input);

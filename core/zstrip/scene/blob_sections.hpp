@@ -16,6 +16,7 @@
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
+#include "zstrip/skin.hpp"
 
 namespace zstrip::blob_layout {
 
@@ -122,6 +123,14 @@ constexpr bool is_gone(std::uint8_t effects) { return effects == 5 || effects ==
 struct AnimationRecord {
   std::uint32_t duration;
 };
+struct ClipRecord {
+  Range name, tracks, joint_tracks;
+  std::uint32_t duration;
+};
+struct SkinRecord {
+  Range vertices;
+  std::uint16_t mesh, unused;
+};
 struct TurnRecord {
   std::uint16_t still_instances;
   std::uint8_t what, unused;
@@ -129,7 +138,8 @@ struct TurnRecord {
 static_assert(sizeof(Header) == 16 && sizeof(Section) == 12 && sizeof(MeshRecord) == 76 &&
               sizeof(TextureRecord) == 12 && sizeof(LineRecord) == 64 && sizeof(EdgeRecord) == 12 &&
               sizeof(ImageRecord) == 24 && sizeof(FontRecord) == 28 && sizeof(LabelRecord) == 24 &&
-              sizeof(BaseRecord) == 8 && sizeof(PictureRecord) == 8 && sizeof(TurnRecord) == 4);
+              sizeof(BaseRecord) == 8 && sizeof(PictureRecord) == 8 && sizeof(TurnRecord) == 4 &&
+              sizeof(ClipRecord) == 28 && sizeof(SkinRecord) == 12);
 
 /// The data of a SceneBlob whose form in the blob is different.
 struct Records {
@@ -155,6 +165,14 @@ struct Records {
   std::span<const std::uint8_t> coverage;
   std::span<const Glyph> glyphs;
   std::span<const char> text;
+  std::span<const ClipRecord> clips;
+  std::span<const char> clip_names;
+  std::span<const SkinRecord> skins;
+  std::span<const VertexJoints> vertex_joints;
+  std::span<const Joint> joints;
+  std::span<const JointPose> joint_rest;
+  std::span<const Track> joint_tracks;
+  std::span<const Keyframe> joint_keyframes;
   const BaseRecord* base = nullptr;
   const Camera* camera = nullptr;
   const PictureRecord* picture = nullptr;
@@ -171,6 +189,8 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section.needed(tag("BASE"), records.base);
   section.needed(tag("CAMR"), records.camera);
   section(tag("CAMT"), blob.turning_camera);
+  section(tag("CLIP"), records.clips);
+  section(tag("CNAM"), records.clip_names);
   section(tag("COLR"), records.colours);
   section(tag("CSGO"), blob.scene.csg);
   section(tag("EDGE"), records.edges);
@@ -179,6 +199,10 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("FOGS"), blob.scene.fog);
   section(tag("GLYP"), records.glyphs);
   section(tag("INST"), blob.scene.instances);
+  section(tag("JKEY"), records.joint_keyframes);
+  section(tag("JOIN"), records.joints);
+  section(tag("JRES"), records.joint_rest);
+  section(tag("JTRK"), records.joint_tracks);
   section(tag("KEYF"), blob.animation.keyframes);
   section(tag("LDIR"), blob.scene.lights);
   section(tag("LPNT"), blob.scene.punctual_lights);
@@ -200,12 +224,14 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("QUAD"), blob.scene.quadrics);
   section(tag("SEGM"), records.segments);
   section(tag("SHAD"), blob.scene.shadow);
+  section(tag("SKIN"), records.skins);
   section(tag("TEXC"), records.texcoords);
   section(tag("TEXL"), records.texels);
   section(tag("TEXT"), records.textures);
   section(tag("TRAK"), blob.animation.tracks);
   section(tag("TRIA"), records.triangles);
   section(tag("TURN"), records.turn);
+  section(tag("VJOI"), records.vertex_joints);
   section(tag("tree"), blob.tree.nodes);
 }
 

@@ -1,6 +1,7 @@
 // Opens a blob: every count, offset and value is checked before it is used.
 #include "zstrip/blob.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <iterator>
@@ -55,6 +56,10 @@ static_assert(sizeof(Shadow) == 12 && offsetof(Shadow, bias) == 2 && offsetof(Sh
 static_assert(sizeof(Glyph) == 16 && offsetof(Glyph, offset) == 4 && offsetof(Glyph, width) == 8 &&
               offsetof(Glyph, left) == 10 && offsetof(Glyph, top) == 12 && offsetof(Glyph, advance) == 14);
 static_assert(sizeof(Sprite) == 10 && offsetof(Sprite, image) == 4 && offsetof(Sprite, colour) == 6);
+static_assert(sizeof(Joint) == 52 && offsetof(Joint, parent) == 48 && sizeof(VertexJoints) == 8 &&
+              offsetof(VertexJoints, weights) == 4);
+static_assert(sizeof(JointPose) == 32 && offsetof(JointPose, translation) == 8 && offsetof(JointPose, scale) == 20);
+static_assert(sizeof(void*) != 4 || (sizeof(Skin) == 28 && sizeof(Skinning) == 112 && sizeof(Clip) == 44));
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 using blob_layout::Header;
@@ -328,6 +333,110 @@ const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memor
   return ::new (place) Overlay(overlay);
 }
 
+/// Counts what skins and clips need in the lent memory; the meshlets need not be valid.
+CharacterCounts count_characters(Reader& reader, const Records& all) {
+  CharacterCounts counts{.skins = static_cast<std::uint32_t>(all.skins.size()),
+                         .joints = static_cast<std::uint32_t>(all.joints.size()),
+                         .clips = static_cast<std::uint32_t>(all.clips.size())};
+  reader.require(all.joints.size() <= kMaxJoints && (all.joints.empty() || !all.skins.empty()), all.joints.data());
+  reader.require(all.clips.size() <= 0x10000, all.clips.data());
+  for (std::size_t i = 0; i < all.skins.size(); ++i) {
+    const blob_layout::SkinRecord& skin = all.skins[i];
+    // A mesh has at most one skin.
+    const bool is_next = skin.mesh < all.meshes.size() && (i == 0 || skin.mesh > all.skins[i - 1].mesh);
+    reader.require(is_next, &skin.mesh);
+    if (!is_next) break;
+    const MeshRecord& mesh = all.meshes[skin.mesh];
+    std::uint32_t largest = mesh.meshlets.count == 0 ? mesh.positions.count : 0;
+    for (const Meshlet& meshlet : reader.some(all.meshlets, mesh.meshlets)) {
+      largest = std::max<std::uint32_t>(largest, meshlet.vertex_count);
+    }
+    counts.positions = std::max(counts.positions, largest);
+    if (mesh.normals.count != 0) counts.normals = std::max(counts.normals, largest);
+  }
+  return counts;
+}
+
+/// Reads skins and clips into `memory`. The scene must be valid, and its meshes lie in RAM.
+Status read_characters(Reader& reader, const Records& all, const CharacterCounts& counts, std::byte* memory,
+                       SceneBlob& found) {
+  const auto take = [&memory]<class Object>(std::span<Object>& table, std::size_t count) {
+    auto* const first = reinterpret_cast<Object*>(memory);
+    for (std::size_t i = 0; i < count; ++i) ::new (first + i) Object;
+    memory += count * sizeof(Object);
+    table = {first, count};
+  };
+  std::span<Skin> skins;
+  std::span<Clip> clips;
+  std::span<Transform> matrices;
+  std::span<Position> positions;
+  std::span<Normal> normals;
+  take(skins, counts.skins);
+  take(found.moved.skinnings, counts.skins);
+  take(clips, counts.clips);
+  take(matrices, std::size_t{counts.skins} * counts.joints);
+  take(found.moved.pose, counts.joints);
+  take(positions, counts.positions);
+  take(normals, counts.normals);
+  found.skins = skins;
+  found.clips = clips;
+  const auto is_skin = [&found](std::uint32_t mesh) {
+    return mesh < found.scene.meshes.size() && found.scene.meshes[mesh].skinning != nullptr;
+  };
+  const auto wrong = [](std::uint32_t mesh) { return Status{.error = Error::skin, .needed = mesh}; };
+  for (std::size_t i = 0; i < skins.size(); ++i) {
+    const Mesh& mesh = found.scene.meshes[all.skins[i].mesh];
+    skins[i] = {.mesh = &mesh,
+                .vertices = reader.some(all.vertex_joints, all.skins[i].vertices),
+                .joints = all.joints,
+                .rest = all.joint_rest};
+    if (!reader.status()) return {};
+    if (const Status status = validate(skins[i]); !status) return status;
+    Skinning& skinning = found.moved.skinnings[i];
+    skinning.skin = &skins[i];
+    skinning.matrices = matrices.subspan(i * counts.joints, counts.joints);
+    skinning.positions = positions;
+    if (!mesh.normals.empty()) skinning.normals = normals;
+    // The table of meshes lies in the lent memory.
+    const_cast<Mesh&>(mesh).skinning = &skinning;
+  }
+  for (const LineSet& lines : found.scene.lines) {
+    if (is_skin(lines.mesh)) return wrong(lines.mesh);
+  }
+  for (const EdgeSet& edges : found.scene.edges) {
+    if (is_skin(edges.mesh)) return wrong(edges.mesh);
+  }
+  for (const CsgOperand& operand : found.scene.csg) {
+    if (const std::uint16_t mesh = found.scene.instances[operand.instance].mesh; is_skin(mesh)) return wrong(mesh);
+  }
+  const std::span<const Track> tracks = found.animation.tracks;
+  const std::span<const Keyframe> keyframes = found.animation.keyframes;
+  std::uint32_t first_track = 0, first_joint_track = 0;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const blob_layout::ClipRecord& record = all.clips[i];
+    reader.require(record.duration != 0, &record.duration);
+    // Each clip has tracks of its own, so that all of them are checked in linear time.
+    reader.require(record.tracks.first == first_track, &record.tracks);
+    reader.require(record.joint_tracks.first == first_joint_track, &record.joint_tracks);
+    first_track += record.tracks.count;
+    first_joint_track += record.joint_tracks.count;
+    const std::span<const char> name = reader.some(all.clip_names, record.name);
+    const bool ends = !name.empty() && name.back() == 0;
+    reader.require(ends, &record.name);
+    clips[i] = {.name = ends ? name.data() : "",
+                .instances = {reader.some(tracks, record.tracks), keyframes, record.duration},
+                .joints = {reader.some(all.joint_tracks, record.joint_tracks), all.joint_keyframes, record.duration}};
+    if (!reader.status()) return {};
+    const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());
+    if (const Status status = validate(clips[i].instances, instances); !status) return status;
+    if (const Status status = validate(clips[i].joints, counts.joints); !status) return status;
+  }
+  if (clips.empty()) return {};
+  found.animation = clips[0].instances;
+  found.turn = {.what = Turning::nothing};
+  return {};
+}
+
 /// Checks the links of a tree: each node except the first is the child of an earlier node, and names it as its parent.
 /// Triangles are in the order of the nodes. `scene` must be valid.
 void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
@@ -376,26 +485,34 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   if (records.animation != nullptr) found.animation.duration = records.animation->duration;
 
   const auto count = [](const auto& of) { return static_cast<std::uint32_t>(of.size()); };
-  const std::size_t needed =
+  const CharacterCounts characters = count_characters(reader, records);
+  reader.require(records.animation == nullptr || records.clips.empty(), records.animation);
+  if (!reader.status()) return reader.status();
+  const std::size_t tables =
       scene_blob_memory(count(records.meshes), count(records.textures), count(records.lines), count(records.edge_sets),
                         count(records.images), count(records.fonts), count(records.labels));
+  const std::uint64_t needed = tables + character_memory(characters);
+  const auto saturated = [](std::uint64_t bytes) {
+    return bytes < 0xFFFFFFFF ? static_cast<std::uint32_t>(bytes) : 0xFFFFFFFFU;
+  };
   if (memory.size() < needed) {
-    const auto saturated = [](std::size_t bytes) {
-      return bytes < 0xFFFFFFFF ? static_cast<std::uint32_t>(bytes) : 0xFFFFFFFFU;
-    };
     return {.error = Error::blob_memory, .needed = saturated(needed), .available = saturated(memory.size())};
   }
   if (reinterpret_cast<std::uintptr_t>(memory.data()) % kSceneBlobMemoryAlignment != 0) {
     return {.error = Error::blob_alignment};
   }
-  std::byte* tables = memory.data();
-  found.scene.meshes = read_table<Mesh>(tables, records.meshes, reader, records, read_mesh);
-  found.scene.textures = read_table<Texture>(tables, records.textures, reader, records, read_texture);
-  found.scene.lines = read_table<LineSet>(tables, records.lines, reader, records, read_lines);
-  found.scene.edges = read_table<EdgeSet>(tables, records.edge_sets, reader, records, read_edges);
-  found.scene.overlay = read_overlay(reader, records, tables);
+  std::byte* place = memory.data();
+  found.scene.meshes = read_table<Mesh>(place, records.meshes, reader, records, read_mesh);
+  found.scene.textures = read_table<Texture>(place, records.textures, reader, records, read_texture);
+  found.scene.lines = read_table<LineSet>(place, records.lines, reader, records, read_lines);
+  found.scene.edges = read_table<EdgeSet>(place, records.edge_sets, reader, records, read_edges);
+  found.scene.overlay = read_overlay(reader, records, place);
   if (!reader.status()) return reader.status();
   if (const Status status = validate(found.scene); !status) return status;
+  const Status characters_read = read_characters(reader, records, characters, memory.data() + tables, found);
+  if (!characters_read) return characters_read;
+  if (!reader.status()) return reader.status();
+  found.memory_bytes = saturated(needed);
   const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());
   if (const Status status = validate(found.animation, instances); !status) return status;
   if (!usable(found.camera) || !usable(found.camera_for(2))) return {.error = Error::camera};

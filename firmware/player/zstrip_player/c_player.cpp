@@ -108,6 +108,17 @@ int zstrip_player_pick(zstrip_player* player, const zstrip_picker* picker, std::
   return right ? 1 : 0;
 }
 
+int zstrip_player_play_clip(zstrip_player* player, std::size_t clip, std::uint16_t fade, int loops) {
+  return player != nullptr && player->play_clip(clip, fade, loops != 0) ? 1 : 0;
+}
+std::size_t zstrip_player_clips(const zstrip_player* player) { return player != nullptr ? player->clips().size() : 0; }
+const char* zstrip_player_clip_name(const zstrip_player* player, std::size_t clip) {
+  return clip < zstrip_player_clips(player) ? player->clips()[clip].name : nullptr;
+}
+std::uint32_t zstrip_player_clip_time(const zstrip_player* player, std::size_t clip) {
+  return clip < zstrip_player_clips(player) ? player->clips()[clip].duration() : 0;
+}
+
 void zstrip_player_play(zstrip_player* player, std::uint32_t milliseconds) {
   if (player != nullptr) player->play(milliseconds);
 }

@@ -52,6 +52,11 @@ std::int64_t distance_to_y(const Camera& camera) {
   return std::clamp<std::int64_t>(distance, 0, std::numeric_limits<Fixed>::max());
 }
 
+Status pose_blob(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances) {
+  if (!instances.empty()) pose_clips(blob.clips, played.all(), blob.scene.instances, instances);
+  return pose_clips(blob.clips, played.all(), blob.moved);
+}
+
 Vec3 about_y(const Vec3& v, std::int32_t sine, std::int32_t cosine) {
   const Vec3 turned = combined({v.x, 0, v.z}, cosine, {v.z, 0, -v.x}, sine);
   return {turned.x, v.y, turned.z};
@@ -97,17 +102,17 @@ bool Player::take_table(std::size_t count, std::span<T>& table, Fault fault) {
 bool Player::open(const void* blob, std::size_t size) {
   is_open_ = is_fitted_ = has_clock_ = false;
   used_ = used_open_ = time_ = 0;
+  played_ = {};
+  pose_ = nullptr;
   fault_ = Fault::none;
+  baked_.clips = {};
   if (blob == nullptr) return fail(Fault::null_scene);
   const std::span<std::byte> free = left();
   const Status opened = open_scene_blob({static_cast<const std::byte*>(blob), size}, free, baked_);
   if (opened.error == Error::blob_memory) return fail(Fault::scene_memory, opened);
   if (!opened) return fail(Fault::scene, opened);
-  const auto count = [](const auto& table) { return static_cast<std::uint32_t>(table.size()); };
-  const Scene& scene = baked_.scene;
-  const Overlay overlay = scene.overlay != nullptr ? *scene.overlay : Overlay{};
-  take(scene_blob_memory(count(scene.meshes), count(scene.textures), count(scene.lines), count(scene.edges),
-                         count(overlay.images), count(overlay.fonts), count(overlay.labels)));
+  take(baked_.memory_bytes);
+  if (!baked_.clips.empty() || !baked_.skins.empty()) pose_ = &pose_blob;
   used_open_ = used_;
   is_open_ = true;
   return true;
@@ -116,6 +121,8 @@ bool Player::open(const void* blob, std::size_t size) {
 bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
   is_open_ = is_fitted_ = has_clock_ = false;
   used_ = used_open_ = time_ = 0;
+  played_ = {};
+  pose_ = nullptr;
   fault_ = Fault::none;
   baked_ = {.scene = scene.scene,
             .camera = scene.camera,
@@ -207,8 +214,10 @@ bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat form
   const bool turns_instances =
       baked_.turn.what == Turning::instances || baked_.turn.what == Turning::instances_and_lines;
   const bool turns_lines = scenes::turns_lines(baked_.animation, baked_.turn);
-  if (!take_table(has_tracks || turns_instances ? baked_.scene.instances.size() : 0, instances_,
-                  Fault::motion_memory) ||
+  const auto moves_instances = [](const Clip& clip) { return !clip.instances.tracks.empty(); };
+  const bool moves =
+      has_tracks || turns_instances || std::any_of(baked_.clips.begin(), baked_.clips.end(), moves_instances);
+  if (!take_table(moves ? baked_.scene.instances.size() : 0, instances_, Fault::motion_memory) ||
       !take_table(turns_lines ? baked_.scene.lines.size() : 0, lines_, Fault::motion_memory)) {
     return false;
   }
@@ -235,7 +244,35 @@ bool Player::fit(std::uint16_t width, std::uint16_t height, PixelFormat format, 
 }
 
 std::uint32_t Player::period() const {
+  if (!baked_.clips.empty()) return baked_.clips[played_.last().clip].duration();
   return baked_.animation.tracks.empty() ? kTurnTime : std::max<std::uint32_t>(baked_.animation.duration, 1);
+}
+
+void Player::seek(std::uint32_t time) {
+  if (baked_.clips.empty()) {
+    time_ = time % period();
+  } else {
+    played_.seek(time, baked_.clips);
+  }
+}
+
+std::size_t Player::find_clip(const char* name) const {
+  std::size_t found = 0;
+  for (; found < baked_.clips.size(); ++found) {
+    const char* own = baked_.clips[found].name;
+    const char* other = name;
+    while (*own != 0 && *own == *other) ++own, ++other;
+    if (*own == *other) break;
+  }
+  return found;
+}
+
+bool Player::play_clip(std::size_t clip, std::uint16_t fade, bool loops) {
+  fault_ = Fault::none;
+  if (!is_open_) return fail(Fault::not_open);
+  if (clip >= baked_.clips.size()) return fail(Fault::no_clip, {.needed = saturated(clip)});
+  played_.play(static_cast<std::uint16_t>(clip), fade, loops);
+  return true;
 }
 
 void Player::play(std::uint32_t now) {
@@ -245,8 +282,11 @@ void Player::play(std::uint32_t now) {
   }
   const std::uint32_t passed = now - now_;
   now_ = now;
-  const std::uint32_t whole = period();
-  if (!held_) time_ = static_cast<std::uint32_t>((std::uint64_t{time_} + passed) % whole);
+  if (!held_ && !baked_.clips.empty()) {
+    played_.advance(passed, baked_.clips);
+  } else if (!held_) {
+    time_ = static_cast<std::uint32_t>((std::uint64_t{time_} + passed) % period());
+  }
   const std::uint32_t counted = now - second_began_;
   if (has_rate_ && (!has_clock_ || counted >= 1000)) {
     detail::Words words(text_, text_size_);
@@ -315,8 +355,13 @@ void Player::add_text() {
 bool Player::stage() {
   const Camera camera = placed_camera();
   staged_ = {baked_.scene, camera};
+  if (pose_ != nullptr) {
+    if (const Status posed = pose_(baked_, played_, instances_); !posed) return fail(Fault::pose, posed);
+  }
   const bool has_tracks = !baked_.animation.tracks.empty();
-  if (time_ != 0 || has_tracks) {
+  if (!baked_.clips.empty()) {
+    if (!instances_.empty()) staged_.scene.instances = instances_;
+  } else if (time_ != 0 || has_tracks) {
     const bool camera_turns = !has_tracks && baked_.turn.what == Turning::camera;
     if (!can_turn_ || (camera_turns && !scenes::can_turn(camera))) return fail(Fault::turn);
     staged_ = scenes::stage({baked_.scene, camera, baked_.animation, baked_.turn}, time_, period(),

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "zstrip/blob.hpp"
+#include "zstrip/clips.hpp"
 #include "zstrip/frame/entry_points.hpp"
 #include "zstrip/frame/picked.hpp"
 #include "zstrip/frame/pipeline.hpp"
@@ -83,17 +84,28 @@ class Player {
            std::uint16_t row_step = 1);
 
   /// 3. Sets the time, in milliseconds of any clock. After the first call the scene's animation runs, and frames are
-  /// counted for show_text. A scene without an animation rotates by 360 degrees in kTurnTime.
+  /// counted for show_text. A scene without an animation rotates by 360 degrees in kTurnTime. Of a blob with clips the
+  /// first one plays, over and over.
   void play(std::uint32_t now);
   static constexpr std::uint32_t kTurnTime = 8192;  ///< milliseconds
   /// Pauses the motion, or continues it.
   void hold(bool held) { held_ = held; }
-  /// Sets the motion to a time, in milliseconds from its beginning.
-  void seek(std::uint32_t time) { time_ = time % period(); }
+  /// Sets the motion to a time, in milliseconds from its beginning. A fade ends.
+  void seek(std::uint32_t time);
   /// Returns the milliseconds since the beginning of the motion, less than period().
-  std::uint32_t time() const { return time_; }
+  std::uint32_t time() const { return baked_.clips.empty() ? time_ : played_.last().time; }
   /// Returns the duration of the open scene's motion in milliseconds, at least 1.
   std::uint32_t period() const;
+
+  /// Returns the clips of the open blob: named animations, with skins. Headers have none.
+  std::span<const Clip> clips() const { return baked_.clips; }
+  /// Returns the number of the first clip of this name; clips().size() if there is none.
+  std::size_t find_clip(const char* name) const;
+  /// Plays a clip from its beginning. During `fade` milliseconds the clips that play go on and become this one, as by
+  /// blend() of zstrip/skin.hpp; up to four clips at once. A clip that does not loop stops at its end.
+  bool play_clip(std::size_t clip, std::uint16_t fade = 0, bool loops = true);
+  /// Returns the number of the clip that was chosen last; 0 before play_clip.
+  std::uint16_t clip() const { return played_.last().clip; }
 
   /// Moves the camera around the point of its axis that is closest to the world's y axis: to the right, and up. 65536
   /// is 360 degrees; 0, 0 is the baked position.
@@ -196,6 +208,8 @@ class Player {
     mask_format,
     no_mask,
     area,
+    no_clip,
+    pose,
   };
   /// Stores the fault for error(), and returns false.
   bool fail(Fault fault, const Status& status = {});
@@ -243,6 +257,10 @@ class Player {
   std::size_t used_ = 0;       ///< bytes of memory_, from its start
   std::size_t used_open_ = 0;  ///< bytes of memory_ that the open scene uses
   SceneBlob baked_{};          ///< the open scene
+  PlayedClips played_{};       ///< of baked_.clips
+  /// Moves skins and instances by the clips that play. Null for scenes without skins and clips, so that programs with
+  /// headers do not link it.
+  Status (*pose_)(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances) = nullptr;
   bool is_open_ = false, is_fitted_ = false, can_turn_ = false;
 
   DrawnWith drawn_with_{};

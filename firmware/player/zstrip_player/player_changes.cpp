@@ -69,16 +69,25 @@ Rect Player::changed() {
   scene.add(state_.fit.near);  // depth is rounded, and fog computed, by the range of the whole scene
   scene.add(state_.fit.far);
   for (const LineSet& lines : staged_.scene.lines) scene.add(lines.transform);
+  const auto add_place = [this](Hash& hash, const Instance& instance) {
+    hash.add(instance.transform);
+    if (baked_.scene.meshes[instance.mesh].skinning == nullptr) return;
+    for (const PlayedClip& played : played_.all()) {
+      hash.add(played.time);
+      hash.add(std::uint32_t{played.clip});
+      hash.add(played.share());
+    }
+  };
   const bool each = !seen_instances_.empty() && !reaches_far_;
   Rect moved{};
   for (std::size_t i = 0; i < staged_.scene.instances.size(); ++i) {
-    const Transform& transform = staged_.scene.instances[i].transform;
+    const Instance& instance = staged_.scene.instances[i];
     if (!each) {
-      scene.add(transform);
+      add_place(scene, instance);
       continue;
     }
     Hash place;
-    place.add(transform);
+    add_place(place, instance);
     SeenInstance& seen = seen_instances_[i];
     const Rect now = rectangle_of(i);
     if (!seen_.is_known || seen.place != place.value()) {

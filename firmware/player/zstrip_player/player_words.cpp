@@ -96,6 +96,11 @@ const char* Player::error() {
         words << "the area is empty, or not within the picture";
       }
       break;
+    case Fault::no_clip:
+      words << "there is no clip " << status_.needed << ": the scene has "
+            << static_cast<std::uint32_t>(baked_.clips.size()) << " clips";
+      break;
+    case Fault::pose: words << "what joints move cannot be posed: " << message(status_.error); break;
     case Fault::pick: words << "the pixel cannot be picked: " << message(status_.error); break;
   }
   return words_;
