@@ -8,11 +8,12 @@
 
 namespace zstrip::detail {
 
-void ShadowState::decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32_t ty, Status& status) {
+DecodedTiles::Tile& ShadowState::decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32_t ty, Status& status) {
   tile.column = static_cast<std::uint16_t>(tx);
   tile.row = static_cast<std::uint16_t>(ty);
   const Status read = store.read_tile(tx, ty, tile.cells, kTileSide);
   if (!read && status) status = {.error = read.error, .purpose = Purpose::effects, .needed = read.needed};
+  return tile;
 }
 
 bool ShadowState::hidden_beside(std::int32_t across, std::int32_t down, const MapDepth& point, Status& status) {

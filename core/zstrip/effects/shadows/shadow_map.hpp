@@ -42,17 +42,18 @@ struct ShadowState {
   /// Returns the map's code at a texel inside it. If the store is damaged, sets an error in `status`, once.
   std::uint32_t code_at(std::uint32_t column, std::uint32_t row, Status& status) {
     const std::uint32_t tx = column / kTileSide, ty = row / kTileSide;
-    DecodedTiles::Tile& tile = decoded.tiles[ty % DecodedTiles::kSide][tx % DecodedTiles::kSide];
-    if (tile.column != tx || tile.row != ty) decode(tile, tx, ty, status);
-    return tile.cells[row % kTileSide * kTileSide + column % kTileSide];
+    DecodedTiles::Tile* tile = &decoded.tiles[ty % DecodedTiles::kSide][tx % DecodedTiles::kSide];
+    if (tile->column != tx || tile->row != ty) tile = &decode(*tile, tx, ty, status);
+    return tile->cells[row % kTileSide * kTileSide + column % kTileSide];
   }
   /// True if a caster lies between a point and the light. If the caster is far from the point, the nearest texel
   /// decides. If it is close, and so may be the point's own surface, all four texels around the point must hide it: on
   /// a plane, or on a surface that bulges towards the light, at least one of them is not nearer than the point.
   template <class Point>
   bool hides(const Point& at, Status& status) {
-    const std::int32_t across = at.column(), down = at.row();
-    const std::int32_t column = across >> place.texel_bits, row = down >> place.texel_bits;
+    const std::int32_t across = at.column(), column = across >> place.texel_bits;
+    if (!has(column)) return false;
+    const std::int32_t down = at.row(), row = down >> place.texel_bits;
     const std::uint32_t nearest = caster_at(column, row, status);
     if (nearest == 0) return false;
     const MapDepth depth = at.depth();
@@ -62,10 +63,11 @@ struct ShadowState {
   }
 
  private:
+  /// True if the map has such a column, or row; one comparison, as it is as wide as it is high.
+  bool has(std::int32_t column_or_row) const { return static_cast<std::uint32_t>(column_or_row) < store.grid().width; }
   /// Returns the code of the caster at a texel, 0 if there is none.
   std::uint32_t caster_at(std::int32_t column, std::int32_t row, Status& status) {
-    const auto side = static_cast<std::int32_t>(store.grid().width);
-    if (column < 0 || row < 0 || column >= side || row >= side) return 0;
+    if (!has(column) || !has(row)) return 0;
     return code_at(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), status);
   }
   /// Returns the distance from a point to a caster, towards the light, in units of MapDepth::code.
@@ -75,7 +77,8 @@ struct ShadowState {
   }
   /// True if casters at the other three of the four texels around a point hide it. A call, as few points come here.
   bool hidden_beside(std::int32_t across, std::int32_t down, const MapDepth& point, Status& status);
-  void decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32_t ty, Status& status);
+  /// Returns `tile`, so that compilers do not compute its address again.
+  DecodedTiles::Tile& decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32_t ty, Status& status);
 };
 static_assert(sizeof(ShadowState) <= shadows::Effect::kStateBytes);
 

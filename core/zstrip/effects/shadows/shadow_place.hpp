@@ -67,6 +67,20 @@ struct ShadowPlace {
   std::int32_t contact;  ///< depth of kContactTexels texels, in units of MapDepth::code
 };
 
+/// The coordinates of the map at the first raster pixel of a row, and the rest of their forms.
+struct MapRow {
+  const ShadowPlace& place;
+  std::int32_t column, row, code;
+
+  MapRow(const ShadowPlace& of, std::int32_t y)
+      : place(of), column(of.column.at(0, y)), row(of.row.at(0, y)), code(of.code.at(0, y)) {}
+  /// Returns the value of one of the forms, which is `start` at the first pixel.
+  static std::int32_t at(std::int32_t start, const MapForm& form, std::int32_t x) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(start) +
+                                     static_cast<std::uint32_t>(form.step_x) * static_cast<std::uint32_t>(x));
+  }
+};
+
 /// A covered cell's point in the map, which may lie outside of it. Its coordinates are computed one by one: where no
 /// caster lies at its column and row, its depth is not needed.
 template <bool orthographic, DepthFormat format>
@@ -75,35 +89,45 @@ class MapPoint;
 template <DepthFormat format>
 class MapPoint<true, format> {
  public:
-  MapPoint(const ShadowPlace& place, std::int32_t x, std::int32_t y, std::uint32_t depth)
-      : place_(place), x_(x), y_(y), half_depth_(static_cast<std::int32_t>(depth >> 1)) {}
+  MapPoint(const MapRow& row, std::int32_t x, std::uint32_t depth)
+      : from_(row), x_(x), half_depth_(static_cast<std::int32_t>(depth >> 1)) {}
 
   /// In texels, floor(value / 2^texel_bits), as row().
-  std::int32_t column() const { return along(place_.column); }
-  std::int32_t row() const { return along(place_.row); }
-  MapDepth depth() const { return {along(place_.code), place_.doubt}; }
+  std::int32_t column() const { return along(from_.column, from_.place.column); }
+  std::int32_t row() const { return along(from_.row, from_.place.row); }
+  MapDepth depth() const { return {along(from_.code, from_.place.code), from_.place.doubt}; }
 
  private:
-  std::int32_t along(const MapForm& form) const { return form.at(x_, y_) + multiply_high(form.per_depth, half_depth_); }
+  std::int32_t along(std::int32_t start, const MapForm& form) const {
+    return MapRow::at(start, form, x_) + multiply_high(form.per_depth, half_depth_);
+  }
 
-  const ShadowPlace& place_;
-  std::int32_t x_, y_, half_depth_;
+  const MapRow& from_;
+  std::int32_t x_, half_depth_;
 };
 
 template <DepthFormat format>
 class MapPoint<false, format> {
  public:
-  MapPoint(const ShadowPlace& place, std::int32_t x, std::int32_t y, std::uint32_t depth)
-      : place_(place), x_(x), y_(y) {
-    const auto q = static_cast<std::uint64_t>(std::int64_t{depth} + place.depth_offset);
-    zeros_ = std::countl_zero(q | 1);
-    inverse_ = reciprocal(static_cast<std::uint32_t>((q << zeros_) >> 32) | 0x80000000U);
+  MapPoint(const MapRow& row, std::int32_t x, std::uint32_t depth) : from_(row), x_(x) {
+    const auto q = static_cast<std::uint64_t>(std::int64_t{depth} + row.place.depth_offset);
+    // The first 32 bits of q without its leading zeros. By halves, because shifts of 64 bits take many instructions.
+    const auto high = static_cast<std::uint32_t>(q >> 32), low = static_cast<std::uint32_t>(q);
+    std::uint32_t first = 0;
+    if (high != 0) {
+      zeros_ = std::countl_zero(high);
+      first = zeros_ == 0 ? high : high << zeros_ | low >> (32 - zeros_);
+    } else {
+      zeros_ = 32 + std::countl_zero(low | 1);
+      first = low << (zeros_ - 32);
+    }
+    inverse_ = reciprocal(first | 0x80000000U);
   }
 
-  std::int32_t column() const { return place_.column.offset + along(place_.column); }
-  std::int32_t row() const { return place_.row.offset + along(place_.row); }
+  std::int32_t column() const { return from_.place.column.offset + along(from_.column, from_.place.column); }
+  std::int32_t row() const { return from_.place.row.offset + along(from_.row, from_.place.row); }
   MapDepth depth() const {
-    const std::int32_t deeper = along(place_.code);
+    const std::int32_t deeper = along(from_.code, from_.place.code);
     // The share of half a code in q, 0.32.
     int share_shift = 62 - kLog2HalfCode<format> - zeros_;
     // Codes of the small float are wider in higher octaves, and never less than 2^-15 of q.
@@ -111,17 +135,18 @@ class MapPoint<false, format> {
     const std::uint32_t share = share_shift < 0    ? 0x7FFFFFFFU
                                 : share_shift < 32 ? static_cast<std::uint32_t>(inverse_) >> share_shift
                                                    : 0;
-    const auto magnitude = static_cast<std::uint32_t>(deeper < 0 ? -deeper : deeper);
-    return {place_.code.offset + deeper, static_cast<std::int32_t>(multiply_high(magnitude, share))};
+    const auto difference = static_cast<std::uint32_t>(deeper);
+    const std::uint32_t magnitude = deeper < 0 ? 0 - difference : difference;
+    return {from_.place.code.offset + deeper, static_cast<std::int32_t>(multiply_high(magnitude, share))};
   }
 
  private:
-  std::int32_t along(const MapForm& form) const {
-    return multiply_high(form.at(x_, y_), inverse_) >> std::clamp<std::int32_t>(form.shift - zeros_, 0, 31);
+  std::int32_t along(std::int32_t start, const MapForm& form) const {
+    return multiply_high(MapRow::at(start, form, x_), inverse_) >> std::clamp<std::int32_t>(form.shift - zeros_, 0, 31);
   }
 
-  const ShadowPlace& place_;
-  std::int32_t x_, y_;
+  const MapRow& from_;
+  std::int32_t x_;
   int zeros_;             ///< leading zeros of q
   std::int32_t inverse_;  ///< reciprocal of its first 32 bits
 };

@@ -180,16 +180,20 @@ struct Stage : NoStage {
       const std::int32_t right = std::min(left + kBlock, area.right);
       for (std::int32_t y = area.top; y < area.bottom; ++y) {
         Cell* cell = target.template depth_row<Cell>(y) + (left - area.left);
+        const MapRow row(state.place, y);
+        std::int32_t first = INT32_MAX, last = INT32_MIN;
         for (std::int32_t x = left; x < right; ++x, ++cell) {
           const std::uint32_t code = *cell;
           *cell = static_cast<Cell>(-1);
           if (code == 0) continue;
           if constexpr (effects.has(effect::statistics)) ++target.statistics->work[WorkKind::shadow_samples];
-          const MapPoint<effects.has(effect::orthographic), kFormat> at(state.place, x, y,
-                                                                        depth_of_code<kFormat>(code));
+          const MapPoint<effects.has(effect::orthographic), kFormat> at(row, x, depth_of_code<kFormat>(code));
           if (!state.hides(at, status)) continue;
           *cell = 0;
-          shadowed = {std::min(shadowed.left, x), std::min(shadowed.top, y), std::max(shadowed.right, x + 1),
+          first = std::min(first, x), last = x;
+        }
+        if (first <= last) {
+          shadowed = {std::min(shadowed.left, first), std::min(shadowed.top, y), std::max(shadowed.right, last + 1),
                       std::max(shadowed.bottom, y + 1)};
         }
       }
