@@ -1,6 +1,7 @@
 // The stages of fragments, pixel by pixel: each rounds every channel to the nearest whole number.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -143,6 +144,14 @@ TEST_F(FragmentRuns, FogAndWhatLiesBehindAreMixedByTheirShare) {
     std::uint16_t behind[kPerspectiveRun];
     for (std::uint16_t& pixel : behind) pixel = static_cast<std::uint16_t>(word());
     const int material = below(257);
+    // The same in one stage, over the pixels themselves.
+    Colours copy = d;
+    std::uint16_t two[kPerspectiveRun] = {}, over[kPerspectiveRun];
+    std::copy(std::begin(behind), std::end(behind), over);
+    mix_behind(behind, static_cast<std::uint32_t>(material), copy.now, d.count);
+    write_packed(copy.now, two, d.count);
+    write_mixed(over, static_cast<std::uint32_t>(material), d.now, over, d.count);
+    for (int i = 0; i < kPerspectiveRun; ++i) ASSERT_EQ(over[i], i < d.count ? two[i] : behind[i]) << round << ' ' << i;
     mix_behind(behind, static_cast<std::uint32_t>(material), d.now, d.count);
     expect(d, [&](int i, const Channels& b) {
       const Channels other = of_word(behind[i]);
@@ -214,8 +223,15 @@ TEST_F(FragmentRuns, TexelsAreNearestOrTheMeanOfTheFourAround) {
       const AnyTexture texture(random, format);
       // A side of one texel has the coordinate 0.
       const auto along = [&](unsigned side) { return side == 1 ? 0 : word() >> below(24); };
-      const RunPlace place{along(texture.width) << 7, along(texture.height), along(texture.width),
-                           along(texture.height)};
+      // Steps of any size, both ways: within a texel, of exactly one, of many.
+      const auto step_along = [&](unsigned side) -> std::uint32_t {
+        if (side == 1) return 0;
+        const std::uint32_t size =
+            below(8) == 0 ? static_cast<std::uint32_t>((std::uint64_t{1} << 32) / side) : word() >> 1 >> below(24);
+        return below(2) == 0 ? size : 0 - size;
+      };
+      const RunPlace place{along(texture.width) << 7, along(texture.height), step_along(texture.width),
+                           step_along(texture.height)};
       const auto position = [&](int i, std::uint32_t start, std::uint32_t step, unsigned side) {
         return (start + step * static_cast<std::uint32_t>(i)) / 4294967296.0 * side;
       };

@@ -67,6 +67,10 @@ void mix_fog(const Colour& fog, std::int32_t visible, std::int32_t step, std::ui
 /// Mixes with the pixels that are behind, by alpha times `material` (0 .. 256). Keeps alpha.
 void mix_behind(const std::uint16_t* behind, std::uint32_t material, std::uint32_t* colours, std::int32_t count);
 
+/// Writes what mix_behind and write_packed would write. `pixels` may be `behind`.
+void write_mixed(const std::uint16_t* behind, std::uint32_t material, const std::uint32_t* colours,
+                 std::uint16_t* pixels, std::int32_t count);
+
 /// Writes what set_to_light, mix_fog and write_packed would write.
 void write_fogged_light(const RunLight& light, const Colour& fog, std::int32_t visible, std::int32_t step,
                         std::uint16_t* pixels, std::int32_t count);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "zstrip/base/bayer.hpp"
 #include "zstrip/geometry/light.hpp"
@@ -38,7 +39,12 @@ struct FragmentPlanes {
       }
     }
     if (varies) {
-      light = {plane(&RasterVertex::r), plane(&RasterVertex::g), plane(&RasterVertex::b)};
+      const auto channel = [&](auto member) {
+        const std::int32_t first = v[0]->*member;
+        if (v[1]->*member != first || v[2]->*member != first) return plane(member);
+        return Plane{static_cast<std::uint32_t>(first), 0, 0};
+      };
+      light = {channel(&RasterVertex::r), channel(&RasterVertex::g), channel(&RasterVertex::b)};
     } else {
       const Plane white{static_cast<std::uint32_t>(channel_start(255)), 0, 0};
       light = {white, white, white};
@@ -128,7 +134,8 @@ struct FragmentRun {
 
   /// Runs of a triangle. What varies is set for each span, and for each run.
   FragmentRun(const FragmentPlanes<effects>& of, const TargetOf<effects>& on) : planes(of), target(on) {
-    light.step_r = of.light.r.step_x, light.step_g = of.light.g.step_x, light.step_b = of.light.b.step_x;
+    light = {of.light.r.start,  of.light.g.start,  of.light.b.start,
+             of.light.r.step_x, of.light.g.step_x, of.light.b.step_x};
     if constexpr (effects.has(effect::textures)) {
       texels = of.texels;
       to_fraction_u = TextureAxis(static_cast<std::uint8_t>(texels.log2_width)).to_fraction;
@@ -139,6 +146,7 @@ struct FragmentRun {
   /// Sets the row and the light of a span.
   void begin_span(std::int32_t first_column, std::int32_t row) {
     rows = row;
+    if (planes.unlit) return;  // it is the same everywhere
     light.r = planes.light.r.at(first_column, row);
     light.g = planes.light.g.at(first_column, row);
     light.b = planes.light.b.at(first_column, row);
@@ -195,8 +203,20 @@ struct FragmentRun {
     return false;
   }
 
-  /// Runs the stages up to blending with `behind`.
-  void shade([[maybe_unused]] const std::uint16_t* behind, std::uint32_t* colours) const {
+  /// Runs all stages over what `pixels` show, and writes the result to `shown`, which may be the same.
+  void draw([[maybe_unused]] const std::uint16_t* pixels, std::uint32_t* colours, std::uint16_t* shown) const {
+    [[maybe_unused]] const std::uint32_t alpha = shade(colours);
+    if constexpr (effects.has(effect::blending)) {
+      if (blends()) {
+        if (!dithers()) return write_mixed(pixels, alpha, colours, shown, count);
+        mix_behind(pixels, alpha, colours, count);
+      }
+    }
+    write(colours, shown);
+  }
+
+  /// Runs the stages before blending. Returns the material's alpha (0 .. 256) if colours do not have it yet, else 256.
+  std::uint32_t shade(std::uint32_t* colours) const {
     [[maybe_unused]] const FragmentSettings& settings = target.fragments;
     if (!has_texels()) {
       shine(colours);
@@ -217,9 +237,7 @@ struct FragmentRun {
     if constexpr (effects.has(effect::fog)) {
       if (planes.fogged) mix_fog(settings.fog->colour, visible, step_visible, colours, count);
     }
-    if constexpr (effects.has(effect::blending)) {
-      if (blends()) mix_behind(behind, alpha, colours, count);
-    }
+    return alpha;
   }
 
   void write(const std::uint32_t* colours, std::uint16_t* pixels) const {
@@ -320,11 +338,10 @@ template <Effects effects, class Rule>
   if constexpr (kCounts) run.count_stages(counters->work);
   if (!run.draw_at_once(pixels)) {
     RunColours colours;
-    run.shade(pixels, colours);
     if constexpr (effects.has(effect::alpha_test)) {
       if (run.discards()) {
         std::uint16_t shown[kPerspectiveRun];
-        run.write(colours, shown);
+        run.draw(pixels, colours, shown);
         for (std::int32_t i = 0; i < run.count; ++i) {
           if (colours[i] >> 24 < run.target.fragments.cutoff) continue;
           rule.drawn(codes[i], !run.blends(), cells[i]);
@@ -334,7 +351,7 @@ template <Effects effects, class Rule>
         return;
       }
     }
-    run.write(colours, pixels);
+    run.draw(pixels, colours, pixels);
   }
   for (std::int32_t i = 0; kCounts && i < run.count; ++i) count_pass<kCounts>(counters);
 }
@@ -356,7 +373,13 @@ template <class Rule, class Value>
   std::int32_t i = first;
   const auto passes = [&] {
     typename Rule::Cell code = cells[i];
-    const bool result = rule.may_draw(depth, code);
+    bool result;
+    if constexpr (Rule::kNearerOnly) {
+      const typename Rule::Cell cell = std::exchange(code, rule.code(depth));
+      result = code > cell;  // decided at once, or compilers keep both codes
+    } else {
+      result = rule.may_draw(depth, code);
+    }
     depth += step;
     if (result) {
       if (use == CellUse::later) {

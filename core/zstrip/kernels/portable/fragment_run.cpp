@@ -21,14 +21,16 @@ constexpr std::uint32_t red_of(std::uint32_t colour) { return colour >> 16 & 0xF
 constexpr std::uint32_t green_of(std::uint32_t colour) { return colour >> 8 & 0xFF; }
 constexpr std::uint32_t blue_of(std::uint32_t colour) { return colour & 0xFF; }
 
-// RGB565 as expanded() widens it, two channels at a time: 33/4 of 5 bits and 65/16 of 6 bits, rounded down.
+// RGB565 as expanded() widens it, two channels at a time.
 /// Returns red and blue.
 constexpr std::uint32_t red_and_blue(std::uint32_t texel) {
-  return ((texel & 0xF800) << 5 | (texel & 0x1F)) * 33 >> 2 & kRedAndBlue;
+  const std::uint32_t narrow = (texel | texel << 5) & 0x001F001F;
+  return (narrow << 3) + (narrow >> 2 & 0x00070007);
 }
 /// Returns the greens of two texels, the first in the upper half.
 constexpr std::uint32_t greens(std::uint32_t first, std::uint32_t second) {
-  return ((first >> 5 & 0x3F) << 16 | (second >> 5 & 0x3F)) * 65 >> 4 & kRedAndBlue;
+  const std::uint32_t narrow = (first >> 5 & 0x3F) << 16 | (second >> 5 & 0x3F);
+  return (narrow << 2) + (narrow >> 4 & 0x00030003);
 }
 /// Returns all three as a word; alpha is 0.
 constexpr std::uint32_t widened(std::uint32_t texel) {
@@ -37,12 +39,22 @@ constexpr std::uint32_t widened(std::uint32_t texel) {
 
 /// The mean of two colours, the first of weight `share` (0 .. 256), rounded to nearest, without alpha. What a
 /// difference borrows from another channel, the sum gives back.
-constexpr std::uint32_t mean(std::uint32_t colour, std::uint32_t other, std::uint32_t share) {
-  const std::uint32_t red_blue = other & kRedAndBlue, green = green_of(other);
-  const std::uint32_t mixed_red_blue = ((colour & kRedAndBlue) - red_blue) * share + (red_blue << 8) + kHalves;
-  const std::uint32_t mixed_green = (green_of(colour) - green) * share + (green << 8) + 128;
-  return (mixed_red_blue >> 8 & kRedAndBlue) | (mixed_green & 0xFF00);
-}
+struct Mean {
+  std::uint32_t red_blue, green;  // 8.8 channels in halves of a word
+
+  constexpr Mean(std::uint32_t colour, std::uint32_t other_red_blue, std::uint32_t other_green, std::uint32_t share)
+      : red_blue(((colour & kRedAndBlue) - other_red_blue) * share + (other_red_blue << 8) + kHalves),
+        green((green_of(colour) - other_green) * share + (other_green << 8) + 128) {}
+  /// Returns the mean with a pixel, weighted by the colour's alpha times `material`.
+  static constexpr Mean with_pixel(std::uint32_t colour, std::uint32_t pixel, std::uint32_t material) {
+    const std::uint32_t other_green = (pixel >> 5 & 0x3F) << 2 | (pixel >> 9 & 3);
+    return {colour, red_and_blue(pixel), other_green, factor((colour >> 24) * material >> 8)};
+  }
+  constexpr std::uint32_t colour() const { return (red_blue >> 8 & kRedAndBlue) | (green & 0xFF00); }
+  constexpr std::uint16_t rgb565() const {
+    return static_cast<std::uint16_t>((red_blue >> 27 << 11) | (green >> 10 << 5) | (red_blue >> 11 & 0x1F));
+  }
+};
 
 /// Two channels of 8 bits in the halves of a word, of a texel and of its right neighbour. A mean stays within a half;
 /// what a difference borrows from the other half, the sum gives back.
@@ -53,6 +65,32 @@ struct Pair {
   Pair(std::uint32_t left, std::uint32_t right) : first((left << 8) + kHalves), step(right - left) {}
   /// 256 times the means, for a weight of the right one of 0 .. 255; and 1/2, which rounds the mean of two rows.
   std::uint32_t at(std::uint32_t weight) const { return first + step * weight; }
+};
+
+/// A texture coordinate of a run, from the centres of texels: which texel it lies behind, and where between that one
+/// and the next. On a side of one texel it stays 0, and the neighbour is the texel itself.
+struct CellAxis {
+  /// Set in a place between two texels that a step has left.
+  static constexpr std::uint32_t kOutside = 1U << 31;
+
+  std::uint32_t start, step;   ///< 0.32 of the texture
+  std::uint32_t step_in_cell;  ///< 1.31 of the distance of two texels; of a distance or more: kOutside
+  std::uint32_t log2_size, to_texel;
+
+  CellAxis(std::uint32_t place, std::uint32_t place_step, std::uint32_t log2)
+      : start(log2 == 0 ? 0 : place - (1U << (31 - log2))),
+        step(log2 == 0 ? 0 : place_step),
+        log2_size(log2),
+        to_texel(log2 == 0 ? 31 : 32 - log2) {
+    const std::int32_t texels = log2 == 0 ? 0 : static_cast<std::int32_t>(step) >> (32 - log2);
+    step_in_cell = log2 == 0 ? 0 : texels == 0 || texels == -1 ? step << (log2 - 1) : kOutside;
+  }
+  std::uint32_t at(std::int32_t pixel) const { return start + step * static_cast<std::uint32_t>(pixel); }
+  std::uint32_t texel(std::uint32_t coordinate) const { return coordinate >> to_texel; }
+  /// Returns the distance from the texel, 0.31. No bit is lost: a side of two texels or more has one to spare.
+  std::uint32_t in_cell(std::uint32_t coordinate) const { return coordinate << log2_size >> 1; }
+  /// Returns the next texel's weight, 0 .. 255.
+  static std::uint32_t weight(std::uint32_t in_cell) { return in_cell >> 23; }
 };
 
 /// A channel times light of 8.16, rounded to nearest.
@@ -154,57 +192,53 @@ template void fetch_nearest<true>(const RunTexels&, const RunPlace&, std::uint32
 template <bool palettes, bool alpha>
 void fetch_bilinear(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours, std::int32_t count) {
   const std::uint32_t width = texels.log2_width, height = texels.log2_height;
-  // Coordinates are from the centre of a texel. On a side of one texel they stay 0, and the neighbour is the texel
-  // itself.
-  const auto from_centre = [](std::uint32_t at, std::uint32_t log2_size) {
-    return log2_size == 0 ? 0 : at - (1U << (31 - log2_size));
-  };
-  std::uint32_t u = from_centre(place.u, width), v = from_centre(place.v, height);
-  const std::uint32_t step_u = width == 0 ? 0 : place.step_u, step_v = height == 0 ? 0 : place.step_v;
-  const std::uint32_t to_column = width == 0 ? 31 : 32 - width, to_row = height == 0 ? 31 : 32 - height;
+  const CellAxis across(place.u, place.step_u, width), along(place.v, place.step_v, height);
   // Neighbouring pixels often lie between the same four texels, whose pairs are kept. Green is a pair of the two rows.
-  std::uint32_t kept = ~0U;
   Pair upper, lower, both_greens, alphas;
-  for (std::int32_t i = 0; i < count; ++i, u += step_u, v += step_v) {
-    const std::uint32_t x = u >> to_column, row = v >> to_row << width, index = row + x;
-    if (index != kept) {
-      kept = index;
-      const std::uint32_t next_x = (x + 1) & ((1U << width) - 1);
-      const std::uint32_t next_row = (row + (1U << width)) & ((1U << (width + height)) - 1);
-      const std::uint32_t indices[4] = {index, row + next_x, next_row + x, next_row + next_x};
-      std::uint32_t a = 0, b = 0, c = 0, d = 0;
-      const auto read = [&]<TextureFormat format>() {
-        a = word_at<format>(texels, indices[0]), b = word_at<format>(texels, indices[1]);
-        c = word_at<format>(texels, indices[2]), d = word_at<format>(texels, indices[3]);
-      };
-      if constexpr (palettes) {
-        for_format(texels, read);
-      } else {
-        read.template operator()<TextureFormat::rgb565>();
-      }
-      upper = Pair(red_and_blue(a), red_and_blue(b));
-      lower = Pair(red_and_blue(c), red_and_blue(d));
-      both_greens = Pair(greens(a, c), greens(b, d));
-      if constexpr (alpha) {
-        alphas = Pair(alpha_at(texels, indices[0]) << 16 | alpha_at(texels, indices[2]),
-                      alpha_at(texels, indices[1]) << 16 | alpha_at(texels, indices[3]));
-      }
-    }
-    const std::uint32_t right = u << width >> 24, down = v << height >> 24;
-    const auto between = [down](std::uint32_t above, std::uint32_t below) {  // 16 bits each; the upper half is the mean
-      return above * 256 + (below - above) * down;
+  std::uint32_t* const end = colours + count;
+  for (std::uint32_t* colour = colours; colour != end;) {
+    const auto i = static_cast<std::int32_t>(colour - colours);
+    const std::uint32_t u = across.at(i), v = along.at(i);
+    std::uint32_t x = across.in_cell(u), y = along.in_cell(v);
+    const std::uint32_t column = across.texel(u), row = along.texel(v) << width;
+    const std::uint32_t next_column = (column + 1) & ((1U << width) - 1);
+    const std::uint32_t next_row = (row + (1U << width)) & ((1U << (width + height)) - 1);
+    const std::uint32_t indices[4] = {row + column, row + next_column, next_row + column, next_row + next_column};
+    std::uint32_t a = 0, b = 0, c = 0, d = 0;
+    const auto read = [&]<TextureFormat format>() {
+      a = word_at<format>(texels, indices[0]), b = word_at<format>(texels, indices[1]);
+      c = word_at<format>(texels, indices[2]), d = word_at<format>(texels, indices[3]);
     };
-    const std::uint32_t above = upper.at(right), below = lower.at(right), green = both_greens.at(right);
-    std::uint32_t colour = (between(above >> 16, below >> 16) & 0xFF0000) |
-                           (between(green >> 16, green & 0xFFFF) >> 8 & 0xFF00) |
-                           between(above & 0xFFFF, below & 0xFFFF) >> 16;
-    if constexpr (alpha) {
-      const std::uint32_t both = alphas.at(right);
-      colour |= between(both >> 16, both & 0xFFFF) >> 16 << 24;
+    if constexpr (palettes) {
+      for_format(texels, read);
     } else {
-      colour |= kAlpha;
+      read.template operator()<TextureFormat::rgb565>();
     }
-    colours[i] = colour;
+    upper = Pair(red_and_blue(a), red_and_blue(b));
+    lower = Pair(red_and_blue(c), red_and_blue(d));
+    both_greens = Pair(greens(a, c), greens(b, d));
+    if constexpr (alpha) {
+      alphas = Pair(alpha_at(texels, indices[0]) << 16 | alpha_at(texels, indices[2]),
+                    alpha_at(texels, indices[1]) << 16 | alpha_at(texels, indices[3]));
+    }
+    do {
+      const std::uint32_t right = CellAxis::weight(x), down = CellAxis::weight(y), up = 256 - down;
+      x += across.step_in_cell, y += along.step_in_cell;
+      const auto between = [up, down](std::uint32_t above, std::uint32_t below) {  // 16 bits each; the mean is in the
+        return above * up + below * down;                                          // upper 8 of 24 bits
+      };
+      const std::uint32_t above = upper.at(right), below = lower.at(right), green = both_greens.at(right);
+      std::uint32_t mixed = (between(above >> 16, below >> 16) & 0xFF0000) |
+                            (between(green >> 16, green & 0xFFFF) >> 8 & 0xFF00) |
+                            between(above & 0xFFFF, below & 0xFFFF) >> 16;
+      if constexpr (alpha) {
+        const std::uint32_t both = alphas.at(right);
+        mixed |= between(both >> 16, both & 0xFFFF) >> 16 << 24;
+      } else {
+        mixed |= kAlpha;
+      }
+      *colour++ = mixed;
+    } while (colour != end && ((x | y) & CellAxis::kOutside) == 0);
   }
 }
 template void fetch_bilinear<false, false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
@@ -260,10 +294,11 @@ void multiply_alpha(std::uint32_t material, std::uint32_t* colours, std::int32_t
 }
 
 void mix_fog(const Colour& fog, std::int32_t visible, std::int32_t step, std::uint32_t* colours, std::int32_t count) {
-  const std::uint32_t other = std::uint32_t{fog.r} << 16 | std::uint32_t{fog.g} << 8 | fog.b;
+  const std::uint32_t red_blue = std::uint32_t{fog.r} << 16 | fog.b;
   for (std::int32_t i = 0; i < count; ++i) {
     const std::uint32_t colour = colours[i];
-    colours[i] = (colour & kAlpha) | mean(colour, other, static_cast<std::uint32_t>(visible) >> 16);
+    const Mean mean(colour, red_blue, fog.g, static_cast<std::uint32_t>(visible) >> 16);
+    colours[i] = (colour & kAlpha) | mean.colour();
     visible += step;
   }
 }
@@ -271,21 +306,29 @@ void mix_fog(const Colour& fog, std::int32_t visible, std::int32_t step, std::ui
 void mix_behind(const std::uint16_t* behind, std::uint32_t material, std::uint32_t* colours, std::int32_t count) {
   for (std::int32_t i = 0; i < count; ++i) {
     const std::uint32_t colour = colours[i];
-    colours[i] = (colour & kAlpha) | mean(colour, widened(behind[i]), factor((colour >> 24) * material >> 8));
+    colours[i] = (colour & kAlpha) | Mean::with_pixel(colour, behind[i], material).colour();
+  }
+}
+
+void write_mixed(const std::uint16_t* behind, std::uint32_t material, const std::uint32_t* colours,
+                 std::uint16_t* pixels, std::int32_t count) {
+  for (std::int32_t i = 0; i < count; ++i) {
+    pixels[i] = Mean::with_pixel(colours[i], behind[i], material).rgb565();
   }
 }
 
 void write_fogged_light(const RunLight& light, const Colour& fog, std::int32_t visible, std::int32_t step,
                         std::uint16_t* pixels, std::int32_t count) {
+  // Light is stepped as its difference to the fog, so that a mean needs one product and one sum.
   const std::uint32_t fog_r = fog.r, fog_g = fog.g, fog_b = fog.b;
-  std::uint32_t r = light.r, g = light.g, b = light.b;
+  std::uint32_t r = light.r - (fog_r << 16), g = light.g - (fog_g << 16), b = light.b - (fog_b << 16);
   for (std::int32_t i = 0; i < count; ++i) {
     const std::uint32_t share = static_cast<std::uint32_t>(visible) >> 16;
-    const auto mixed = [share](std::uint32_t channel, std::uint32_t other) {  // the mean is in bits 8 to 15
-      return ((channel >> 16) - other) * share + (other << 8) + 128;
+    const auto mixed = [share](std::uint32_t difference, std::uint32_t other) {  // the mean is in bits 8 to 15
+      return static_cast<std::uint32_t>(static_cast<std::int32_t>(difference) >> 16) * share + (other << 8) + 128;
     };
     const std::uint32_t red = mixed(r, fog_r), green = mixed(g, fog_g), blue = mixed(b, fog_b);
-    pixels[i] = static_cast<std::uint16_t>((red & 0xF800) | (green >> 5 & 0x07E0) | blue >> 11);
+    pixels[i] = static_cast<std::uint16_t>((red >> 11 << 11) | (green >> 10 << 5) | blue >> 11);
     r += light.step_r, g += light.step_g, b += light.step_b, visible += step;
   }
 }
