@@ -20,6 +20,7 @@ std::span<const Contract> contracts() {
       {"shadows", true, compare_shadowed_strips, 24, 12, 500},
       {"spans", kHasVectors, compare_spans, 400, 40, 10'000},
       {"texels", kHasThumb || kHasVectors, compare_textured_runs, 80'000, 28'000, 10'000},
+      {"bilinear", true, compare_bilinear, 40'000, 20'000, 100'000},
       {"triangles", kHasThumb || kHasVectors, compare_span_triangles, 63'000, 36'000, 4'000},
   };
   return kContracts;

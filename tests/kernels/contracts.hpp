@@ -42,6 +42,7 @@ Outcome compare_strips(std::uint32_t cases);
 Outcome compare_shadowed_strips(std::uint32_t cases);
 Outcome compare_spans(std::uint32_t cases);
 Outcome compare_textured_runs(std::uint32_t cases);
+Outcome compare_bilinear(std::uint32_t cases);
 Outcome compare_span_triangles(std::uint32_t cases);
 
 }  // namespace zstrip::kernels_test

@@ -7,6 +7,8 @@
 #include "zstrip/base/bayer.hpp"
 #include "zstrip/base/processor.hpp"
 #include "zstrip/geometry/light.hpp"
+#include "zstrip/kernels/portable/bilinear.hpp"
+#include "zstrip/pixels/cell_axis.hpp"
 #include "zstrip/pixels/colour.hpp"
 
 namespace zstrip::detail {
@@ -65,32 +67,6 @@ struct Pair {
   Pair(std::uint32_t left, std::uint32_t right) : first((left << 8) + kHalves), step(right - left) {}
   /// 256 times the means, for a weight of the right one of 0 .. 255; and 1/2, which rounds the mean of two rows.
   std::uint32_t at(std::uint32_t weight) const { return first + step * weight; }
-};
-
-/// A texture coordinate of a run, from the centres of texels: which texel it lies behind, and where between that one
-/// and the next. On a side of one texel it stays 0, and the neighbour is the texel itself.
-struct CellAxis {
-  /// Set in a place between two texels that a step has left.
-  static constexpr std::uint32_t kOutside = 1U << 31;
-
-  std::uint32_t start, step;   ///< 0.32 of the texture
-  std::uint32_t step_in_cell;  ///< 1.31 of the distance of two texels; of a distance or more: kOutside
-  std::uint32_t log2_size, to_texel;
-
-  CellAxis(std::uint32_t place, std::uint32_t place_step, std::uint32_t log2)
-      : start(log2 == 0 ? 0 : place - (1U << (31 - log2))),
-        step(log2 == 0 ? 0 : place_step),
-        log2_size(log2),
-        to_texel(log2 == 0 ? 31 : 32 - log2) {
-    const std::int32_t texels = log2 == 0 ? 0 : static_cast<std::int32_t>(step) >> (32 - log2);
-    step_in_cell = log2 == 0 ? 0 : texels == 0 || texels == -1 ? step << (log2 - 1) : kOutside;
-  }
-  std::uint32_t at(std::int32_t pixel) const { return start + step * static_cast<std::uint32_t>(pixel); }
-  std::uint32_t texel(std::uint32_t coordinate) const { return coordinate >> to_texel; }
-  /// Returns the distance from the texel, 0.31. No bit is lost: a side of two texels or more has one to spare.
-  std::uint32_t in_cell(std::uint32_t coordinate) const { return coordinate << log2_size >> 1; }
-  /// Returns the next texel's weight, 0 .. 255.
-  static std::uint32_t weight(std::uint32_t in_cell) { return in_cell >> 23; }
 };
 
 /// A channel times light of 8.16, rounded to nearest.
@@ -190,7 +166,8 @@ template void fetch_nearest<false>(const RunTexels&, const RunPlace&, std::uint3
 template void fetch_nearest<true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
 
 template <bool palettes, bool alpha>
-void fetch_bilinear(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours, std::int32_t count) {
+void fetch_bilinear_portable(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours,
+                             std::int32_t count) {
   const std::uint32_t width = texels.log2_width, height = texels.log2_height;
   const CellAxis across(place.u, place.step_u, width), along(place.v, place.step_v, height);
   // Neighbouring pixels often lie between the same four texels, whose pairs are kept. Green is a pair of the two rows.
@@ -241,10 +218,10 @@ void fetch_bilinear(const RunTexels& texels, const RunPlace& place, std::uint32_
     } while (colour != end && ((x | y) & CellAxis::kOutside) == 0);
   }
 }
-template void fetch_bilinear<false, false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
-template void fetch_bilinear<false, true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
-template void fetch_bilinear<true, false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
-template void fetch_bilinear<true, true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_bilinear_portable<false, false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_bilinear_portable<false, true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_bilinear_portable<true, false>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
+template void fetch_bilinear_portable<true, true>(const RunTexels&, const RunPlace&, std::uint32_t*, std::int32_t);
 
 void fetch_alpha(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours, std::int32_t count) {
   for_nearest(texels, place, count, [&](std::int32_t i, std::uint32_t index) {
