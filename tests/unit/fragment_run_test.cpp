@@ -94,7 +94,11 @@ TEST_F(FragmentRuns, LightMultipliesAndWhiteChangesNothing) {
   for (int round = 0; round < 2000; ++round) {
     Colours c = colours();
     const RunLight by = round % 5 == 0 ? RunLight{255 << 16, 255 << 16, 255 << 16, 0, 0, 0} : light();
+    std::uint16_t lit[kPerspectiveRun + 1] = {}, packed[kPerspectiveRun + 1] = {};
+    write_lit(by, c.now, lit, c.count);
     multiply_by_light(by, c.now, c.count);
+    write_packed(c.now, packed, c.count);
+    for (int i = 0; i <= kPerspectiveRun; ++i) ASSERT_EQ(lit[i], packed[i]) << round << ' ' << i;
     expect(c, [&](int i, const Channels& before) {
       if (round % 5 == 0) return before;
       const Channels l = light_at(by, i);

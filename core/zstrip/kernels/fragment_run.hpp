@@ -55,6 +55,9 @@ void set_to_light(const RunLight& light, std::uint32_t* colours, std::int32_t co
 void multiply_by_light(const RunLight& light, std::uint32_t* colours, std::int32_t count);
 void multiply_by_colours(const std::uint32_t* factors, std::uint32_t* colours, std::int32_t count);
 
+/// Writes what multiply_by_light and write_packed would write.
+void write_lit(const RunLight& light, const std::uint32_t* colours, std::uint16_t* pixels, std::int32_t count);
+
 /// Multiplies words of RGB565 as TexturedRun does, and writes them.
 void write_lit_words(const RunLight& light, const std::uint32_t* words, std::uint16_t* pixels, std::int32_t count);
 

@@ -183,7 +183,7 @@ struct FragmentRun {
     if constexpr (effects.has(effect::fog)) visible += step_visible * pixels;
   }
 
-  /// Draws the run if one stage writes its pixels. Returns false else.
+  /// Draws the run if one stage writes its pixels, or light is the last of two. Returns false else.
   bool draw_at_once([[maybe_unused]] std::uint16_t* pixels) const {
     if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) {
       if (planes.storage.only_effect) {
@@ -197,6 +197,15 @@ struct FragmentRun {
     if constexpr (effects.has(effect::fog)) {
       if (planes.fogged && !has_texels() && !has_pixel_light() && !blends() && !discards() && !dithers()) {
         write_fogged_light(light, target.fragments.fog->colour, visible, step_visible, pixels, count);
+        return true;
+      }
+    }
+    if constexpr (effects.has(effect::textures)) {
+      if (planes.textured && !planes.unlit && !planes.fogged && !has_pixel_light() && !blends() && !discards() &&
+          !dithers()) {
+        RunColours colours;
+        fetch(colours);
+        write_lit(light, colours, pixels, count);
         return true;
       }
     }

@@ -78,9 +78,9 @@ void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, co
     draw(std::span<const Triangle>(seen.data(), count));
     count = 0;
   };
-  Facing<effects>::for_each(batch, range.triangles, true, [&](std::uint32_t index, const auto& covered) {
+  const auto visit = [&](std::uint32_t index, const auto& covered) {
     // A triangle without a pixel between its columns is rare here; a later test drops it.
-    if (std::max(covered.top(), area.top) >= std::min(covered.bottom(), area.bottom)) return true;
+    if (covered.top() == covered.bottom()) return true;
     const Triangle& triangle = range.triangles[index];
     vertices.want(triangle.a - range.first_vertex);
     vertices.want(triangle.b - range.first_vertex);
@@ -89,7 +89,8 @@ void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, co
     next.a = triangle.a, next.b = triangle.b, next.c = triangle.c;  // GCC would call memcpy to copy the whole struct
     if (count == seen.size()) draw_seen();
     return true;
-  });
+  };
+  Facing<effects>::for_each(batch, range.triangles, true, visit, NarrowRows(area));
   if (count != 0) draw_seen();
 }
 

@@ -69,10 +69,12 @@ struct Pair {
   std::uint32_t at(std::uint32_t weight) const { return first + step * weight; }
 };
 
-/// A channel times light of 8.16, rounded to nearest.
-constexpr std::uint32_t lit(std::uint32_t channel, std::uint32_t light) {
-  return (channel * light_factor(light) + 128) >> 8;
+/// A channel times light of 8.16, 8.8 with half a unit more.
+constexpr std::uint32_t product(std::uint32_t channel, std::uint32_t light) {
+  return channel * light_factor(light) + 128;
 }
+/// The product rounded to nearest.
+constexpr std::uint32_t lit(std::uint32_t channel, std::uint32_t light) { return product(channel, light) >> 8; }
 
 /// Byte `index` of a sequence of words whose lower byte is the first.
 std::uint32_t byte_at(const std::uint16_t* words, std::uint32_t index) {
@@ -250,9 +252,19 @@ void multiply_by_light(const RunLight& light, std::uint32_t* colours, std::int32
 void multiply_by_colours(const std::uint32_t* factors, std::uint32_t* colours, std::int32_t count) {
   for (std::int32_t i = 0; i < count; ++i) {
     const std::uint32_t colour = colours[i], by = factors[i];
-    const auto product = [](std::uint32_t channel, std::uint32_t other) { return lit(channel, other << 16); };
-    colours[i] = (colour & kAlpha) | product(red_of(colour), red_of(by)) << 16 |
-                 product(green_of(colour), green_of(by)) << 8 | product(blue_of(colour), blue_of(by));
+    colours[i] = (colour & kAlpha) | lit(red_of(colour), red_of(by) << 16) << 16 |
+                 lit(green_of(colour), green_of(by) << 16) << 8 | lit(blue_of(colour), blue_of(by) << 16);
+  }
+}
+
+void write_lit(const RunLight& light, const std::uint32_t* colours, std::uint16_t* pixels, std::int32_t count) {
+  std::uint32_t r = light.r, g = light.g, b = light.b;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::uint32_t colour = colours[i];
+    const std::uint32_t red = product(red_of(colour), r), green = product(green_of(colour), g),
+                        blue = product(blue_of(colour), b);
+    pixels[i] = static_cast<std::uint16_t>((red >> 11 << 11) | (green >> 10 << 5) | blue >> 11);
+    r += light.step_r, g += light.step_g, b += light.step_b;
   }
 }
 
