@@ -40,20 +40,20 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     146,       // textured_fragments
     970 * 8,   // lit_textured_triangles
     321,       // lit_textured_fragments
-    928 * 8,   // staged_triangles
-    84,        // staged_fragments
-    805 * 8,   // staged_textures
+    900 * 8,   // staged_triangles
+    66,        // staged_fragments
+    760 * 8,   // staged_textures
     86 * 8,    // spans
-    160 * 8,   // runs
+    152 * 8,   // runs
     376 * 8,   // runs_of_levels
     185,       // nearest_texels
-    829,       // bilinear_texels
+    590,       // bilinear_texels
     106,       // texel_alphas
-    174,       // lit_texels
+    100,       // lit_texels
     680 * 8,   // lit_fragments
     54 * 8,    // masked
-    330,       // fogged
-    404,       // blended
+    278,       // fogged
+    300,       // blended
     150 * 8,   // dithered
     60 * 8,    // lit_vertices
     222 * 8,   // lights_of_vertices
@@ -61,7 +61,7 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     328 * 8,   // mirroring_vertices
     3794 * 8,  // clips
     95 * 8,    // cells_of_shadow_map
-    137 * 8,   // shadow_samples
+    106 * 8,   // shadow_samples
     118 * 8,   // hull_vertices
     0,         // vertices_again, which are counted as vertices
     550 * 8,   // triangles_again, as no kernel draws those of the map
