@@ -63,7 +63,7 @@ Rect Player::changed() {
   if (!is_open_ || !is_fitted_ || state_.scene == nullptr) return {};
   Hash picture, scene;
   const Colour& background = staged_.scene.background;
-  picture.add(background.r | background.g << 8 | background.b << 16);
+  picture.add(static_cast<std::uint32_t>(background.r | background.g << 8 | background.b << 16));
   for (const char letter : text_) picture.add(std::int32_t{letter});
   scene.add(staged_.camera);
   scene.add(state_.fit.near);  // depth is rounded, and fog computed, by the range of the whole scene
