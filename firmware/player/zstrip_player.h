@@ -124,6 +124,8 @@ void zstrip_player_background(zstrip_player* player, uint32_t colour);
 /** Sets the time, in milliseconds of any clock. After the first call the animation runs; a scene without an animation
  * rotates. */
 void zstrip_player_play(zstrip_player* player, uint32_t milliseconds);
+/** Returns the time, in milliseconds from the beginning of the motion or of the clip that was chosen last. */
+uint32_t zstrip_player_time(const zstrip_player* player);
 /** Returns how long the motion takes, in milliseconds, at least 1. */
 uint32_t zstrip_player_period(zstrip_player* player);
 /** Pauses the motion; 0 continues it. */

@@ -216,15 +216,62 @@ TEST(LvZstrip, PlaysByLvglsClock) {
   EXPECT_EQ(lv_zstrip_get_time(widget), paused);
   EXPECT_EQ(wrong_pixels(screen, Wanted("clips", paused), false), 0U);
   lv_zstrip_play(widget);
-  lv_zstrip_set_clip(widget, 3000, 5200);
+  lv_zstrip_set_part(widget, 3000, 5200);
   for (int i = 0; i < 60; ++i) {
     screen.run(100);
     EXPECT_GE(lv_zstrip_get_time(widget), 3000U);
     EXPECT_LT(lv_zstrip_get_time(widget), 5200U);
   }
-  lv_zstrip_set_clip(widget, 0, 0);
+  lv_zstrip_set_part(widget, 0, 0);
   screen.run(9000);
   EXPECT_LT(lv_zstrip_get_time(widget), 8000U) << "the motion takes 8 seconds";
+}
+
+TEST(LvZstrip, FadesFromOneClipToAnother) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
+  const Scene3d scene("figure", 200'000);
+  lv_obj_t* const widget = widget_on_screen(scene, false);
+  ASSERT_EQ(lv_zstrip_get_clips(widget), 2U);
+  EXPECT_EQ(lv_zstrip_get_clip_name(widget, 2), nullptr);
+  EXPECT_FALSE(lv_zstrip_play_clip(widget, 2, 0, true));
+  EXPECT_NE(logged().find("there is no clip 2"), std::string::npos) << logged();
+  Blob blob = blob_of("figure");
+  Memory memory(1 << 20);
+  Player wanted(memory.span(), drawn_with_any);
+  ASSERT_TRUE(wanted.open(blob.data(), blob.size()) && wanted.fit(kAcross, kDown, PixelFormat::rgb565));
+  wanted.play(0);
+  const auto wrong = [&] {
+    std::vector<std::uint16_t> pixels(kAcross * kDown);
+    EXPECT_TRUE(wanted.begin() &&
+                wanted.draw_area({0, 0, kAcross, kDown}, std::as_writable_bytes(std::span(pixels)), 2 * kAcross));
+    std::size_t count = 0;
+    for (std::int32_t i = 0; i < kAcross * kDown; ++i) {
+      if (screen.rgb565(kLeft + i % kAcross, kTop + i / kAcross) != pixels[static_cast<std::size_t>(i)]) ++count;
+    }
+    return count;
+  };
+  const std::uint32_t began = clock();
+  lv_zstrip_play(widget);
+  screen.run(300);
+  ASSERT_TRUE(lv_zstrip_play_clip(widget, 1, 400, true));
+  screen.run(200);
+  lv_zstrip_pause(widget);
+  screen.run(30);
+  // The widget's frames follow LVGL's timers; its time says which frame is seen.
+  const std::uint32_t in_clip = lv_zstrip_get_time(widget);
+  EXPECT_GT(in_clip, 150U);
+  EXPECT_LE(in_clip, 220U);
+  const std::uint32_t before = clock() - began - 30 - in_clip;
+  std::size_t fewest = kAcross * kDown;
+  for (std::uint32_t first = before - 30; first <= before + 30; first += 5) {
+    ASSERT_TRUE(wanted.open(blob.data(), blob.size()) && wanted.fit(kAcross, kDown, PixelFormat::rgb565));
+    wanted.play(0);
+    wanted.play(first);
+    ASSERT_TRUE(wanted.play_clip(1, 400));
+    wanted.play(first + in_clip);
+    fewest = std::min(fewest, wrong());
+  }
+  EXPECT_EQ(fewest, 0U);
 }
 
 TEST(LvZstrip, ADragMovesTheCameraAndAClickPicks) {

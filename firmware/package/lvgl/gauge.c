@@ -5,7 +5,7 @@
 
 #include "lv_zstrip.h"
 
-/* The clips of host-sim/scenes/clips.toml, one after the other, in milliseconds. */
+/* The parts of the motion of host-sim/scenes/clips.toml, in milliseconds. */
 typedef struct {
   const char* name;
   uint32_t from, to;
@@ -17,7 +17,7 @@ static unsigned shown;
 
 static void show_clip(unsigned clip) {
   shown = clip % (sizeof clips / sizeof clips[0]);
-  lv_zstrip_set_clip(model, clips[shown].from, clips[shown].to);
+  lv_zstrip_set_part(model, clips[shown].from, clips[shown].to);
   lv_label_set_text_static(name, clips[shown].name);
 }
 

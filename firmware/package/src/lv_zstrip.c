@@ -24,17 +24,19 @@ typedef struct {
   zstrip_player* player;    /* null without a scene */
   const char* error;        /* "" if nothing is wrong */
   uint32_t ticks;           /* of LVGL, when the motion moved last */
+  uint32_t clock;           /* milliseconds that were played, for scenes with clips */
   uint32_t time, from, to;  /* milliseconds of the motion */
   uint32_t background;      /* 0xRRGGBB, mixed into smoothed edges of a transparent widget */
   lv_area_t drag;           /* x1, y1: the sum of moves since the press; x2, y2: the angles at the press */
   uint16_t right, up, zoom; /* 65536 is 360 degrees; percent */
   zstrip_picked picked;
   unsigned transparent : 1, playing : 1, interactive : 1;
-  unsigned fitted : 1;  /* a plan for the widget's size and transparency was tried */
-  unsigned planned : 1; /* and there is one */
-  unsigned moved : 1;   /* the next frame differs */
-  unsigned failed : 1;  /* while drawing, when nothing can be invalidated */
-  unsigned dragged : 1; /* too far for a click */
+  unsigned fitted : 1;    /* a plan for the widget's size and transparency was tried */
+  unsigned planned : 1;   /* and there is one */
+  unsigned has_clips : 1; /* the player keeps the time */
+  unsigned moved : 1;     /* the next frame differs */
+  unsigned failed : 1;    /* while drawing, when nothing can be invalidated */
+  unsigned dragged : 1;   /* too far for a click */
 } lv_zstrip_t;
 
 /* What the data of an image source points at, if a widget is the source. */
@@ -130,7 +132,7 @@ static uint32_t background_behind(lv_obj_t* obj) {
 
 static void begin_frame(lv_zstrip_t* widget) {
   zstrip_player* player = widget->player;
-  zstrip_player_seek(player, widget->time);
+  if (!widget->has_clips) zstrip_player_seek(player, widget->time);
   zstrip_player_orbit(player, widget->right, widget->up);
   zstrip_player_zoom(player, widget->zoom);
   zstrip_player_background(player, widget->transparent ? widget->background : ZSTRIP_BAKED_BACKGROUND);
@@ -187,11 +189,16 @@ static void advance(lv_zstrip_t* widget) {
   const uint32_t passed = lv_tick_elaps(widget->ticks);
   widget->ticks = lv_tick_get();
   if (!widget->playing || passed == 0) return;
+  widget->moved = 1;
+  if (widget->has_clips) {
+    widget->clock += passed;
+    zstrip_player_play(widget->player, widget->clock);
+    return;
+  }
   const uint32_t end = widget->to > widget->from ? widget->to : zstrip_player_period(widget->player);
   const uint32_t begin = widget->to > widget->from ? widget->from : 0;
   const uint32_t time = widget->time - begin + passed % (end - begin);
   widget->time = begin + time % (end - begin);
-  widget->moved = 1;
 }
 
 /* Begins the next frame, and has LVGL draw the rectangle that changed. */
@@ -434,6 +441,9 @@ bool lv_zstrip_set_scene(lv_obj_t* obj, const lv_zstrip_scene_t* scene) {
     return false;
   }
   widget->player = player;
+  widget->has_clips = zstrip_player_clips(player) != 0;
+  widget->clock = 0;
+  zstrip_player_play(player, 0);
   lv_obj_update_layout(obj);
   prepare(widget);
   return widget->error[0] == 0;
@@ -460,7 +470,29 @@ void lv_zstrip_pause(lv_obj_t* obj) {
   widget->playing = 0;
 }
 
-void lv_zstrip_set_clip(lv_obj_t* obj, uint32_t from, uint32_t to) {
+bool lv_zstrip_play_clip(lv_obj_t* obj, uint32_t clip, uint16_t fade, bool loops) {
+  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
+  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  if (!zstrip_player_play_clip(widget->player, clip, fade, loops)) {
+    LV_LOG_WARN("lv_zstrip: %s", zstrip_player_error(widget->player));
+    return false;
+  }
+  widget->moved = 1;
+  lv_zstrip_play(obj);
+  return true;
+}
+
+uint32_t lv_zstrip_get_clips(lv_obj_t* obj) {
+  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
+  return (uint32_t)zstrip_player_clips(((lv_zstrip_t*)obj)->player);
+}
+
+const char* lv_zstrip_get_clip_name(lv_obj_t* obj, uint32_t clip) {
+  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
+  return zstrip_player_clip_name(((lv_zstrip_t*)obj)->player, clip);
+}
+
+void lv_zstrip_set_part(lv_obj_t* obj, uint32_t from, uint32_t to) {
   LV_ASSERT_OBJ(obj, &lv_zstrip_class);
   lv_zstrip_t* widget = (lv_zstrip_t*)obj;
   widget->from = from;
@@ -471,14 +503,19 @@ void lv_zstrip_set_clip(lv_obj_t* obj, uint32_t from, uint32_t to) {
 void lv_zstrip_set_time(lv_obj_t* obj, uint32_t time) {
   LV_ASSERT_OBJ(obj, &lv_zstrip_class);
   lv_zstrip_t* widget = (lv_zstrip_t*)obj;
-  widget->time = time;
+  if (widget->has_clips && widget->player != NULL) {
+    zstrip_player_seek(widget->player, time);
+  } else {
+    widget->time = time;
+  }
   widget->ticks = lv_tick_get();
   widget->moved = 1;
 }
 
 uint32_t lv_zstrip_get_time(lv_obj_t* obj) {
   LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  return ((lv_zstrip_t*)obj)->time;
+  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  return widget->has_clips ? zstrip_player_time(widget->player) : widget->time;
 }
 
 /* Tenths of a degree, and 1/65536 of a turn; rounded to nearest. */

@@ -20,7 +20,7 @@ typedef struct {
   const void* scene;                ///< a .zsc file, at a multiple of 4
   size_t scene_bytes;               ///< its size
   void* memory;                     ///< for the player and its strips: more of it means taller strips
-  size_t memory_bytes;              ///< about 10 KB and more; lv_zstrip_get_error says how many are missing
+  size_t memory_bytes;              ///< 5 KB for a small scene; lv_zstrip_get_error says how many are missing
   const zstrip_pipeline* pipeline;  ///< the drawing code: zstrip_player/c_pipeline.hpp
   const zstrip_picker* picker;      ///< for the event of a click: zstrip_player/c_picker.hpp; null: there is none
 } lv_zstrip_scene_t;
@@ -28,9 +28,10 @@ typedef struct {
 /** The widget's class. */
 extern const lv_obj_class_t lv_zstrip_class;
 
-/** Makes a widget without a scene. A drag moves the camera around the model, a wheel enlarges it, and a click sends
- * LV_EVENT_VALUE_CHANGED, whose parameter is a const zstrip_picked* that is valid until the next click. The picture has
- * the size of the widget without its border and padding. Styles of images apply: image_opa, image_recolor, radius. */
+/** Makes a widget without a scene. A drag moves the camera around the model, a wheel enlarges the widget that was
+ * pressed last, and a click sends LV_EVENT_VALUE_CHANGED, whose parameter is a const zstrip_picked* that is valid until
+ * the next click. The picture has the size of the widget without its border and padding. Styles of images apply:
+ * image_opa, image_recolor, radius. */
 lv_obj_t* lv_zstrip_create(lv_obj_t* parent);
 
 /** Shows a scene and plays it from its beginning, seen as it was baked; null shows none. False after a fault: the
@@ -46,12 +47,19 @@ void lv_zstrip_set_transparent(lv_obj_t* obj, bool transparent);
 void lv_zstrip_play(lv_obj_t* obj);
 /** Pauses. */
 void lv_zstrip_pause(lv_obj_t* obj);
+/** Plays a clip of the scene from its beginning, over and over, or once. During `fade` milliseconds the clips that play
+ * go on and become this one. False if there is no such clip. */
+bool lv_zstrip_play_clip(lv_obj_t* obj, uint32_t clip, uint16_t fade, bool loops);
+/** Returns the number of clips: 0 if the scene has one motion without a name. */
+uint32_t lv_zstrip_get_clips(lv_obj_t* obj);
+/** Returns the name of a clip; null if there is no such clip. */
+const char* lv_zstrip_get_clip_name(lv_obj_t* obj, uint32_t clip);
 /** Repeats the part of the motion from `from` to `to`, in milliseconds from the motion's beginning; the whole motion if
- * `to` is not greater. Begins at `from`. A scene with several clips, one after the other, shows one of them so. */
-void lv_zstrip_set_clip(lv_obj_t* obj, uint32_t from, uint32_t to);
-/** Sets the time, in milliseconds from the motion's beginning. */
+ * `to` is not greater. Begins at `from`. For scenes without clips. */
+void lv_zstrip_set_part(lv_obj_t* obj, uint32_t from, uint32_t to);
+/** Sets the time, in milliseconds from the beginning of the motion or clip. */
 void lv_zstrip_set_time(lv_obj_t* obj, uint32_t time);
-/** Returns the time, in milliseconds from the motion's beginning. */
+/** Returns the time, in milliseconds from the beginning of the motion or clip. */
 uint32_t lv_zstrip_get_time(lv_obj_t* obj);
 
 /** Moves the camera around the point that it looks at, from its baked position: to the right, and up. Tenths of a

@@ -122,6 +122,7 @@ std::uint32_t zstrip_player_clip_time(const zstrip_player* player, std::size_t c
 void zstrip_player_play(zstrip_player* player, std::uint32_t milliseconds) {
   if (player != nullptr) player->play(milliseconds);
 }
+std::uint32_t zstrip_player_time(const zstrip_player* player) { return player != nullptr ? player->time() : 0; }
 std::uint32_t zstrip_player_period(zstrip_player* player) { return player != nullptr ? player->period() : 1; }
 void zstrip_player_hold(zstrip_player* player, int held) {
   if (player != nullptr) player->hold(held != 0);
