@@ -1,5 +1,5 @@
 # Writes generated/bake/adapter_texts.hpp: the adapters that `zstrip bake` copies beside a program, as constants.
-foreach(adapter tft_espi lovyangfx arduino_gfx pico_spi_dma)
+foreach(adapter tft_espi lovyangfx arduino_gfx pico_spi_dma esp_lcd)
   set(file ${CMAKE_CURRENT_LIST_DIR}/../../firmware/examples/adapters/${adapter}.hpp)
   file(READ ${file} ${adapter})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})

@@ -1,4 +1,4 @@
-// Folders for Arduino, PlatformIO and the Raspberry Pi Pico SDK; see project_files.hpp.
+// Folders for Arduino, PlatformIO, the Raspberry Pi Pico SDK and ESP-IDF; see project_files.hpp.
 #include "bake/project_files.hpp"
 
 #include <fmt/format.h>
@@ -93,7 +93,8 @@ board = esp32dev
   return text + flags({18, 23, 19, 2, 4, 5});
 }
 
-std::string pico_cmake(const std::string& name) {
+std::string pico_cmake(const Project& project) {
+  const std::string& name = project.name;
   std::string text =
       R"(# Written by `zstrip bake`. With the folders of the Raspberry Pi Pico SDK and of zstrip's repository:
 #     cmake -S . -B build -DPICO_SDK_PATH=... -DZSTRIP_PATH=...
@@ -117,11 +118,45 @@ pico_sdk_init()
 
 add_subdirectory(${ZSTRIP_PATH} zstrip EXCLUDE_FROM_ALL)
 add_executable(@ main.cpp)
-target_link_libraries(@ PRIVATE zstrip::player pico_stdlib hardware_spi hardware_dma)
-pico_add_extra_outputs(@)
+# 4 KB for the stack of a core, as much as there is of its own.
+target_compile_definitions(@ PRIVATE PICO_STACK_SIZE=0x1000 PICO_CORE1_STACK_SIZE=0x1000)
 )";
+  text += project.cores == 2
+              ? "target_link_libraries(@ PRIVATE zstrip::player pico_multicore pico_stdlib hardware_spi hardware_dma)\n"
+              : "target_link_libraries(@ PRIVATE zstrip::player pico_stdlib hardware_spi hardware_dma)\n";
+  text += "pico_add_extra_outputs(@)\n";
   for (std::size_t at = 0; (at = text.find('@', at)) != std::string::npos; at += name.size()) text.replace(at, 1, name);
   return text;
+}
+
+std::vector<ProjectFile> esp_idf_files(const BakedScene& baked, const std::string& name_space,
+                                       const std::string& name) {
+  std::vector<ProjectFile> files;
+  files.push_back(
+      {"CMakeLists.txt",
+       fmt::format(
+           R"(# Written by `zstrip bake`. zstrip's package, the folder zstrip of its archive, goes into components/ next to this file.
+#     idf.py set-target esp32
+#     idf.py build flash
+cmake_minimum_required(VERSION 3.16)
+include($ENV{{IDF_PATH}}/tools/cmake/project.cmake)
+project({})
+)",
+           name)});
+  files.push_back(
+      {"sdkconfig.defaults", R"(# The stack of the task that draws, 4 KB of it for zstrip; and code for speed.
+CONFIG_ESP_MAIN_TASK_STACK_SIZE=8192
+CONFIG_COMPILER_OPTIMIZATION_PERF=y
+)"});
+  files.push_back({"main/CMakeLists.txt",
+                   R"(idf_component_register(SRCS main.cpp INCLUDE_DIRS . REQUIRES zstrip esp_lcd driver esp_timer)
+)"});
+  files.push_back({"main/idf_component.yml", R"(dependencies:
+  idf: ">=5.0.1"
+)"});
+  files.push_back({"main/main.cpp", to_esp_idf_program(baked, name_space)});
+  files.push_back({"main/esp_lcd.hpp", std::string(adapter_text::kEspLcd)});
+  return files;
 }
 
 }  // namespace
@@ -139,15 +174,17 @@ Result<Done> check_project_name(const std::string& name) {
 }
 
 Result<Done> check_for_project(const BakedScene& baked, const std::string& name_space, const Project& project) {
+  if (project.kind == ProjectKind::esp_idf) return check_for_esp_idf_program(baked, name_space);
   return project.kind == ProjectKind::pico ? check_for_pico_program(baked, name_space)
                                            : check_for_sketch(baked, name_space, project.display);
 }
 
 std::vector<ProjectFile> project_files(const BakedScene& baked, const std::string& name_space, const Project& project) {
+  if (project.kind == ProjectKind::esp_idf) return esp_idf_files(baked, name_space, project.name);
   std::vector<ProjectFile> files;
   if (project.kind == ProjectKind::pico) {
-    files.push_back({"main.cpp", to_pico_program(baked, name_space)});
-    files.push_back({"CMakeLists.txt", pico_cmake(project.name)});
+    files.push_back({"main.cpp", to_pico_program(baked, name_space, project.cores)});
+    files.push_back({"CMakeLists.txt", pico_cmake(project)});
     files.push_back({"pico_spi_dma.hpp", std::string(adapter_text::kPicoSpiDma)});
     return files;
   }

@@ -1,4 +1,4 @@
-// Whole folders that show a baked scene: for Arduino, for PlatformIO, for the Raspberry Pi Pico SDK.
+// Whole folders that show a baked scene: for Arduino, for PlatformIO, for the Raspberry Pi Pico SDK, for ESP-IDF.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,17 @@
 
 namespace zstrip::sim {
 
-enum class ProjectKind : std::uint8_t { arduino, platformio, pico };
+enum class ProjectKind : std::uint8_t { arduino, platformio, pico, esp_idf };
 
 struct Project {
   ProjectKind kind = ProjectKind::arduino;
   DisplayLibrary display = DisplayLibrary::st7789;  ///< of sketches
+  std::uint8_t cores = 1;                           ///< of a program for the Pico: 1 or 2
   std::string name;                                 ///< the folder's, which is that of its sketch or program
 };
 
 struct ProjectFile {
-  std::string name;  ///< in the folder
+  std::string name;  ///< its path in the folder
   std::string text;
 };
 

@@ -463,7 +463,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
           "The file to write: .hpp for C++ constants, .ino for a sketch for Arduino that shows them on an ST7789, .cpp "
           "for a program that draws them, .zsc for a blob, .uf2 for a blob for a Raspberry Pi Pico "
           "with zstrip_pico_player.uf2, or for a Pico 2 with zstrip_pico2_player.uf2. FOLDER/: a whole program, see "
-          "--project and --display")
+          "--project, --display and --cores")
       ->required()
       ->type_name("FILE");
   add_plan_options(*command, a.plan, kPicoBoardHelp);
@@ -520,7 +520,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "--turntable\n"
       "  zstrip bake model.glb -o sketch/ --display tft_espi\n"
       "  zstrip bake model.glb -o sketch/ --project platformio --display lovyangfx\n"
-      "  zstrip bake model.glb -o pico/ --project pico\n"
+      "  zstrip bake model.glb -o pico/ --project pico --cores 2\n"
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
       "  zstrip bake model.glb -o model.uf2\n"
       "  zstrip bake model.glb -o pico.uf2 --with zstrip_pico_player.uf2\n"

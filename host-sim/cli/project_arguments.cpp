@@ -42,34 +42,49 @@ void add_project_options(CLI::App& command, ProjectArguments& arguments) {
   command
       .add_option("--project", arguments.project,
                   "The kind of program in a folder: arduino, a sketch (default); platformio, a sketch with a "
-                  "platformio.ini; pico, "
-                  "a program for the Raspberry Pi Pico SDK with an ST7789")
+                  "platformio.ini; pico or esp_idf, "
+                  "a program for the Raspberry Pi Pico SDK or for ESP-IDF with an ST7789")
       ->option_text("KIND")
-      ->transform(one_of({"arduino", "platformio", "pico"}));
+      ->transform(one_of({"arduino", "platformio", "pico", "esp_idf"}));
   command
       .add_option("--display", arguments.display,
                   "The driver of the panel in a folder's sketch: st7789, zstrip's own (default); tft_espi, "
                   "lovyangfx or arduino_gfx, which are libraries for Arduino")
       ->option_text("LIBRARY")
       ->transform(one_of({"st7789", "tft_espi", "lovyangfx", "arduino_gfx"}));
+  command
+      .add_option("--cores", arguments.cores, "How many cores draw in the program of --project pico: 1 (default), 2")
+      ->option_text("NUMBER")
+      ->transform(one_of({"1", "2"}));
 }
 
 Result<Done> check_no_project(const ProjectArguments& arguments) {
-  if (!arguments.project && !arguments.display) return Done{};
-  return Failure{ExitStatus::usage, fmt::format("{} is of a folder with a whole program: -o FOLDER/",
-                                                arguments.project ? "--project" : "--display")};
+  if (!arguments.project && !arguments.display && !arguments.cores) return Done{};
+  return Failure{ExitStatus::usage,
+                 fmt::format("{} is of a folder with a whole program: -o FOLDER/", arguments.project   ? "--project"
+                                                                                   : arguments.display ? "--display"
+                                                                                                       : "--cores")};
 }
 
 Result<Project> parse_project(const ProjectArguments& arguments, const std::string& output) {
   Project project;
   if (arguments.project == "platformio") project.kind = ProjectKind::platformio;
   if (arguments.project == "pico") project.kind = ProjectKind::pico;
+  if (arguments.project == "esp_idf") project.kind = ProjectKind::esp_idf;
   if (arguments.display == "tft_espi") project.display = DisplayLibrary::tft_espi;
   if (arguments.display == "lovyangfx") project.display = DisplayLibrary::lovyangfx;
   if (arguments.display == "arduino_gfx") project.display = DisplayLibrary::arduino_gfx;
-  if (project.kind == ProjectKind::pico && project.display != DisplayLibrary::st7789) {
-    return Failure{ExitStatus::usage,
-                   fmt::format("--display {} is a library for Arduino; --project pico has st7789", *arguments.display)};
+  const bool for_sdk = project.kind == ProjectKind::pico || project.kind == ProjectKind::esp_idf;
+  if (for_sdk && project.display != DisplayLibrary::st7789) {
+    return Failure{ExitStatus::usage, fmt::format("--display {} is a library for Arduino; --project {} has st7789",
+                                                  *arguments.display, *arguments.project)};
+  }
+  if (arguments.cores == "2") {
+    if (project.kind != ProjectKind::pico) {
+      return Failure{ExitStatus::usage,
+                     "--cores 2 is of --project pico; for Arduino the example TwoCores shows how both cores draw"};
+    }
+    project.cores = 2;
   }
   std::error_code error;
   const fs::path whole = fs::absolute(output, error).lexically_normal();
@@ -81,8 +96,8 @@ Result<Project> parse_project(const ProjectArguments& arguments, const std::stri
 PlanArguments plan_arguments_for_project(PlanArguments plan, const Project& project) {
   if (!plan.view.size) plan.view.size = "240x240";
   if (!plan.view.format) plan.view.format = "rgb565_swapped";
-  const bool by_dma = project.kind == ProjectKind::pico || project.display == DisplayLibrary::tft_espi ||
-                      project.display == DisplayLibrary::lovyangfx;
+  const bool by_dma = project.kind == ProjectKind::pico || project.kind == ProjectKind::esp_idf ||
+                      project.display == DisplayLibrary::tft_espi || project.display == DisplayLibrary::lovyangfx;
   plan.strip_buffers = by_dma ? 2 : plan.strip_buffers.value_or(1);
   return plan;
 }
@@ -100,6 +115,7 @@ Result<Done> write_project(const std::string& output, std::span<const std::uint8
   }
   if (const Result<Done> written = write_file(scene, header, "-o"); !written) return written.failure();
   for (const ProjectFile& file : files) {
+    fs::create_directories((folder / file.name).parent_path(), error);  // an error is one of the file
     if (const Result<Done> written = write_new(folder / file.name, file.text); !written) return written.failure();
   }
   return Done{};

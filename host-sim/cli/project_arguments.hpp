@@ -17,6 +17,7 @@ namespace zstrip::sim {
 struct ProjectArguments {
   std::optional<std::string> project;
   std::optional<std::string> display;
+  std::optional<std::string> cores;
 };
 
 void add_project_options(CLI::App& command, ProjectArguments& arguments);

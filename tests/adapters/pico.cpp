@@ -1,4 +1,7 @@
 // A stand-in for the Raspberry Pi Pico SDK, with a panel at its SPI that knows windows and pixels.
+#include <chrono>
+#include <thread>
+
 #include "libraries.hpp"
 #include "pico_spi_dma.hpp"
 #include "wires.hpp"
@@ -45,7 +48,10 @@ void gpio_put(uint pin, bool high) {
   if (pin == kDataCommand) wires.data = high;
   if (pin == kSelect) wires.selected = !high;
 }
-void sleep_us(std::uint64_t) {}
+// A short wait is one for the other core, which runs meanwhile.
+void sleep_us(std::uint64_t microseconds) {
+  if (microseconds < 1000) std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+}
 std::uint32_t time_us_32() { return wires.time += 1000; }
 
 spi_hw_t* spi_get_hw(spi_inst_t* spi) { return &spi->registers; }

@@ -272,6 +272,14 @@ TEST_F(Bake, AFolderIsAWholeProgramAndKeepsWhatWasChanged) {
   has("nested/pico/main.cpp", "player.open({baked::kScene");
   has("nested/pico/pico_spi_dma.hpp", "class PicoSpiDma");
 
+  EXPECT_EQ(bake_into("both/", {"--project", "pico", "--cores", "2"}), "");
+  has("both/CMakeLists.txt", "target_link_libraries(both PRIVATE zstrip::player pico_multicore pico_stdlib");
+  has("both/main.cpp", "multicore_launch_core1([] {");
+  EXPECT_EQ(bake_into("esp/", {"--project", "esp_idf", "--size", "240x135"}), "");
+  has("esp/CMakeLists.txt", "project(esp)");
+  has("esp/main/main.cpp", "esp_lcd_panel_mirror(glass, true, false);\n  esp_lcd_panel_set_gap(glass, 40, 53);\n");
+  has("esp/main/esp_lcd.hpp", "class EspLcd");
+
   const std::string sketch = read(path("own/own.ino")), scene = read(path("own/scene.hpp"));
   file("own/own.ino", "// pins of mine");
   file("own/scene.hpp", "// of another model");
@@ -310,6 +318,9 @@ TEST_F(Bake, Refusals) {
   expect({"bake", kHouseModel, "-o", "house/", "--display", "tft_espi", "--format", "rgb666"}, 2, "rgb565_swapped");
   expect({"bake", kHouseModel, "-o", "house/", "--project", "pico", "--size", "480x320"}, 2, "ST7789");
   expect({"bake", kHouseModel, "-o", "house/", "--project", "pico", "--namespace", "bus"}, 2, "--namespace bus");
+  expect({"bake", kHouseModel, "-o", "house/", "--cores", "2"}, 2, "--cores 2 is of --project pico");
+  expect({"bake", kHouseModel, "-o", "house.hpp", "--cores", "2"}, 2, "-o FOLDER/");
+  expect({"bake", kHouseModel, "-o", "house/", "--project", "esp_idf", "--format", "rgb666"}, 2, "esp_lcd takes");
   expect({"bake", kHouseModel, "-o", "house/", "--json", "house/scene.hpp"}, 2, "--json");
   expect({"bake", kHouseModel, "-o", "main.cpp", "--namespace", "player"}, 2, "--namespace player");
   expect({"bake", kHouseModel, "-o", "house.ino", "--visibility", "painter"}, 2, "no --visibility painter");

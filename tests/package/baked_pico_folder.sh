@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# baked_pico_folder.sh ROOT ZSTRIP SCRATCH COMPILER [SDK]: the folder of `zstrip bake --project pico` is planned by its own
+# baked_pico_folder.sh ROOT ZSTRIP SCRATCH COMPILER [SDK OPTION...]: the folder of `zstrip bake --project pico` is planned by its own
 # CMakeLists.txt, as the folder's first lines say: with a stand-in for the Raspberry Pi Pico SDK its program is compiled by
 # COMPILER, with the real one in the folder SDK it is built for a Pico.
 set -euo pipefail
@@ -7,7 +7,7 @@ root=$(cd "$1" && pwd -P)
 zstrip=$2 scratch=$3 compiler=$4 sdk=${5-}
 rm -rf "$scratch"
 mkdir -p "$scratch"
-"$zstrip" bake teapot -o "$scratch/teapot/" --project pico --quiet
+"$zstrip" bake teapot -o "$scratch/teapot/" --project pico --quiet "${@:6}"
 cd "$scratch/teapot"
 if [ -n "$sdk" ]; then
   command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed"; exit 77; }

@@ -3,7 +3,7 @@
 set(pico_declarations ${CMAKE_CURRENT_LIST_DIR}/../../adapters/declarations)
 
 macro(pico_sdk_init)
-  foreach(library pico_stdlib hardware_spi hardware_dma)
+  foreach(library pico_multicore pico_stdlib hardware_spi hardware_dma)
     add_library(${library} INTERFACE)
     target_include_directories(${library} SYSTEM INTERFACE ${pico_declarations})
   endforeach()

@@ -18,3 +18,4 @@ absolute_time_t get_absolute_time();
 std::uint32_t to_ms_since_boot(absolute_time_t time);
 void sleep_us(std::uint64_t microseconds);
 std::uint32_t time_us_32();
+void tight_loop_contents();

@@ -23,3 +23,5 @@ struct display_buffer_descriptor {
 void display_get_capabilities(const struct device* dev, struct display_capabilities* capabilities);
 int display_write(const struct device* dev, std::uint16_t x, std::uint16_t y,
                   const struct display_buffer_descriptor* descriptor, const void* buffer);
+int display_set_pixel_format(const struct device* dev, display_pixel_format format);
+int display_blanking_off(const struct device* dev);

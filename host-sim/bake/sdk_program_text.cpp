@@ -1,0 +1,278 @@
+// The text of programs for the Raspberry Pi Pico SDK and ESP-IDF; see program_text.hpp.
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "bake/program_parts.hpp"
+#include "bake/program_text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// The start of a program for the Raspberry Pi Pico SDK, up to the function that starts the panel. `memory`: what
+/// draws, with its memory.
+std::string pico_head(const View& view, const std::string& memory, std::string_view more_includes) {
+  std::string text = R"( For the Raspberry Pi Pico SDK and an ST7789, written by `zstrip
+// bake`. CMakeLists.txt says how to build it.
+)";
+  text += more_includes;
+  text += R"(
+#include "pico_spi_dma.hpp"
+#include "scene.hpp"
+#include "zstrip_player/player.hpp"
+
+// The panel's pins, all of SPI 0: those of zstrip_pico_show.uf2. Without a select pin: spi_set_format() with CPOL and
+// CPHA 1 after spi_init().
+constexpr uint kSelect = 17, kClock = 18, kData = 19, kDataCommand = 20, kReset = 21, kBacklight = 22;
+constexpr uint kHertz = 15'000'000;  // the data sheet's limit; modules are commonly run at 40'000'000
+
+)";
+  text += memory;
+  text += R"(adapters::PicoClock waiting;
+adapters::PicoSpiDma bus(spi0, kDataCommand, kSelect);
+constexpr zstrip::hal::DcsConfig kPanel)";
+  text += panel_config(view);
+  text += R"(;
+adapters::PicoPanel panel(bus, waiting, kPanel);
+
+// Returns false if the panel does not start.
+bool start_panel() {
+  spi_init(spi0, kHertz);
+  gpio_set_function(kClock, GPIO_FUNC_SPI);
+  gpio_set_function(kData, GPIO_FUNC_SPI);
+  for (const uint pin : {kSelect, kDataCommand, kReset, kBacklight}) {
+    gpio_init(pin);
+    gpio_put(pin, true);
+    gpio_set_dir(pin, GPIO_OUT);
+  }
+  waiting.wait(10'000);
+  gpio_put(kReset, false);
+  waiting.wait(10'000);
+  gpio_put(kReset, true);
+  waiting.wait(120'000);
+  return bus.start() == zstrip::hal::Error::none && panel.start() == zstrip::hal::Error::none;
+}
+)";
+  return text;
+}
+
+/// Writes the vertices of skins for the time `time`, an expression, if there are skins.
+std::string pico_pose(const BakedScene& baked, const char* indent, const char* time) {
+  if (!bends(baked)) return {};
+  return fmt::format("{}if (!@::pose_skins({})) std::puts(\"the skin is not posed\");\n", indent, time);
+}
+
+/// Two renderers share the strips of a frame, so that there is no player.
+std::string pico_program_of_two_cores(const BakedScene& baked) {
+  std::string text =
+      pico_head(baked.view,
+                R"(// Both cores draw, each the next strip when it is free, with a renderer and an arena of its own.
+using Renderer = zstrip::Renderer<@::kEffects>;
+alignas(zstrip::kArenaAlignment) std::byte arenas[2][@::kPlan.bytes()];
+Renderer renderer, renderer_of_second;
+zstrip::hal::SecondCore second(renderer_of_second);
+alignas(4) std::byte pixels[3][@::kPlan.strip_pixel_bytes(@::kView)];  // two are drawn while one is sent
+// The moving parts of the scene, in RAM.
+std::array<zstrip::Instance, @::kScene.instances.size()> instances;
+std::array<zstrip::LineSet, @::kScene.lines.size()> lines;
+constexpr zstrip::scenes::AtRest kAtRest{@::kScene, @::kCamera, @::kAnimation, @::kTurn};
+constexpr std::uint32_t kPeriod = @::kAnimation.tracks.empty() ? zstrip::Player::kTurnTime
+                                                                   : std::max<std::uint32_t>(@::kAnimation.duration, 1);
+
+)",
+                R"(#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <span>
+
+#include <pico/multicore.h>
+#include <zstrip/zstrip.hpp>
+#include <zstrip_hal/second_core.hpp>
+)");
+  text += R"(
+zstrip::Status begin(Renderer& with, std::span<std::byte> arena, const zstrip::scenes::BakedFrame& frame) {
+  return with.begin_frame(frame.scene, frame.camera, @::kView, @::kPlan, arena);
+}
+
+int main() {
+  stdio_init_all();
+  if (!start_panel()) std::puts("the panel does not start");
+  multicore_launch_core1([] {
+    for (;;) second.serve();
+  });
+  for (;;) {
+    const std::uint32_t time = to_ms_since_boot(get_absolute_time()) % kPeriod;
+)";
+  text += pico_pose(baked, "    ", "time");
+  text += R"(    const auto frame = zstrip::scenes::stage(kAtRest, time, kPeriod, {instances, lines});
+    // Each core begins the frame with its own renderer, both at once.
+    const auto begin_second = [&frame] { return begin(renderer_of_second, arenas[1], frame); };
+    second.start(begin_second);
+    if (const zstrip::Status begun = begin(renderer, arenas[0], frame); !begun) {
+      std::puts(zstrip::message(begun.error));
+      while (!second.is_done()) tight_loop_contents();
+      continue;
+    }
+    const auto shown = zstrip::hal::present(
+        renderer, second, panel, {@::kPlan.strips, @::kPlan.strip_rows, @::kPlan.strip_columns},
+        {pixels[0], pixels[1], pixels[2]}, waiting);
+    if (!shown) std::puts(shown.draw ? zstrip::hal::message(shown.display) : zstrip::message(shown.draw.error));
+  }
+}
+)";
+  return text;
+}
+
+std::string pico_program_of_one_core(const BakedScene& baked) {
+  std::string text = pico_head(baked.view, player_text(baked), R"(#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+)");
+  text += R"(
+int main() {
+  stdio_init_all();
+  if (!start_panel()) std::puts("the panel does not start");
+  const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
+)";
+  text += pico_pose(baked, "  ", "player.time()");
+  text += R"(  if (!opened || !player.fit(panel, kOptions)) std::puts(player.error());
+  for (;;) {
+    player.play(to_ms_since_boot(get_absolute_time()));
+)";
+  text += pico_pose(baked, "    ", "player.time()");
+  text += R"(    if (!player.draw(panel)) std::puts(player.error());
+  }
+}
+)";
+  return text;
+}
+
+/// The program for esp_lcd of ESP-IDF, whose driver of an ST7789 drives the panel.
+std::string esp_idf_program(const BakedScene& baked) {
+  const UprightModule module = upright_module(baked.view);
+  const bool sideways = lies_sideways(baked.view);
+  const auto pose = [&](const char* indent) {
+    return bends(baked)
+               ? fmt::format("{}if (!@::pose_skins(player.time())) std::puts(\"the skin is not posed\");\n", indent)
+               : std::string();
+  };
+  std::string text = R"( For ESP-IDF 5.0.1 or later and an ST7789, written by `zstrip
+// bake`. The CMakeLists.txt of the folder above says how to build it.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+
+#include <driver/gpio.h>
+#include <driver/spi_master.h>
+#include <esp_lcd_panel_vendor.h>
+#include <esp_timer.h>
+#include <freertos/FreeRTOS.h>
+#include <freertos/task.h>
+
+#include "../scene.hpp"
+#include "esp_lcd.hpp"
+#include "zstrip_player/player.hpp"
+
+// The panel's pins, on an ESP32. Other chips have other ones.
+constexpr int kClock = 18, kData = 23, kDataCommand = 2, kReset = 4;
+constexpr int kSelect = 5;      // -1 without a select pin, with kMode = 3
+constexpr int kBacklight = -1;  // -1: not switched
+constexpr int kMode = 0;
+constexpr unsigned kHertz = 40'000'000;
+
+)" + player_text(baked) +
+                     R"(
+// Returns false if the panel does not start.
+bool start_glass(esp_lcd_panel_io_handle_t& io, esp_lcd_panel_handle_t& glass) {
+  if (kBacklight >= 0) {
+    gpio_set_direction(static_cast<gpio_num_t>(kBacklight), GPIO_MODE_OUTPUT);
+    gpio_set_level(static_cast<gpio_num_t>(kBacklight), 1);
+  }
+  spi_bus_config_t bus{};
+  bus.mosi_io_num = kData;
+  bus.miso_io_num = -1;
+  bus.sclk_io_num = kClock;
+  bus.quadwp_io_num = -1;
+  bus.quadhd_io_num = -1;
+  bus.max_transfer_sz = static_cast<int>(@::kPlan.strip_pixel_bytes(@::kView));
+  if (spi_bus_initialize(SPI2_HOST, &bus, SPI_DMA_CH_AUTO) != ESP_OK) return false;
+
+  esp_lcd_panel_io_spi_config_t wires{};
+  wires.cs_gpio_num = static_cast<gpio_num_t>(kSelect);
+  wires.dc_gpio_num = static_cast<gpio_num_t>(kDataCommand);
+  wires.spi_mode = kMode;
+  wires.pclk_hz = kHertz;
+  wires.trans_queue_depth = 10;
+  wires.lcd_cmd_bits = 8;
+  wires.lcd_param_bits = 8;
+  if (esp_lcd_new_panel_io_spi((esp_lcd_spi_bus_handle_t)SPI2_HOST, &wires, &io) != ESP_OK) return false;
+
+  esp_lcd_panel_dev_config_t config{};
+  config.reset_gpio_num = static_cast<gpio_num_t>(kReset);
+  config.bits_per_pixel = 16;
+  if (esp_lcd_new_panel_st7789(io, &config, &glass) != ESP_OK) return false;
+  esp_lcd_panel_reset(glass);
+  esp_lcd_panel_init(glass);
+  esp_lcd_panel_invert_color(glass, true);
+)";
+  if (sideways) {
+    text += "  esp_lcd_panel_swap_xy(glass, true);\n  esp_lcd_panel_mirror(glass, true, false);\n";
+  }
+  const int gap_x = sideways ? module.row_offset : module.column_offset;
+  const int gap_y = sideways ? module.columns_after : module.row_offset;
+  if (gap_x != 0 || gap_y != 0) text += fmt::format("  esp_lcd_panel_set_gap(glass, {}, {});\n", gap_x, gap_y);
+  text += R"(  return esp_lcd_panel_disp_on_off(glass, true) == ESP_OK;
+}
+
+extern "C" void app_main() {
+  esp_lcd_panel_io_handle_t io = nullptr;
+  esp_lcd_panel_handle_t glass = nullptr;
+  const bool has_glass = start_glass(io, glass);
+  adapters::EspLcd panel(io, glass, @::kView.width, @::kView.height);
+  if (!has_glass || panel.start() != zstrip::hal::Error::none) {
+    std::puts("the panel does not start");
+    return;
+  }
+  const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
+)" + pose("  ") +
+          R"(  if (!opened || !player.fit(panel, kOptions)) std::puts(player.error());
+  for (;;) {
+    player.play(static_cast<std::uint32_t>(esp_timer_get_time() / 1000));
+)" + pose("    ") +
+          R"(    if (!player.draw(panel)) std::puts(player.error());
+    vTaskDelay(1);  // the idle task runs, which the watchdog wants
+  }
+}
+)";
+  return text;
+}
+
+}  // namespace
+
+Result<Done> check_for_pico_program(const BakedScene& baked, const std::string& name_space) {
+  if (const Result<Done> fits = check_panel(baked.view); !fits) return fits.failure();
+  if (const Result<Done> sent = check_format(baked.view); !sent) return sent.failure();
+  return check_names(baked, name_space,
+                     {"arenas", "begin", "bus", "instances", "lines", "main", "memory", "panel", "pixels", "player",
+                      "renderer", "renderer_of_second", "second", "start_panel", "waiting"});
+}
+
+Result<Done> check_for_esp_idf_program(const BakedScene& baked, const std::string& name_space) {
+  if (const Result<Done> fits = check_panel(baked.view); !fits) return fits.failure();
+  if (const Result<Done> sent = check_rgb565(baked.view, "esp_lcd takes rgb565_swapped; choose it"); !sent)
+    return sent.failure();
+  return check_names(baked, name_space, {"app_main", "memory", "player", "start_glass"});
+}
+
+std::string to_pico_program(const BakedScene& baked, const std::string& name_space, std::uint8_t cores) {
+  return first_line(baked) +
+         with_namespace(cores == 2 ? pico_program_of_two_cores(baked) : pico_program_of_one_core(baked), name_space);
+}
+
+std::string to_esp_idf_program(const BakedScene& baked, const std::string& name_space) {
+  return first_line(baked) + with_namespace(esp_idf_program(baked), name_space);
+}
+
+}  // namespace zstrip::sim

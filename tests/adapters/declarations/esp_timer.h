@@ -1,0 +1,6 @@
+// Of ESP-IDF 5: the name that the program of `zstrip bake --project esp_idf` calls.
+#pragma once
+
+#include <cstdint>
+
+std::int64_t esp_timer_get_time();

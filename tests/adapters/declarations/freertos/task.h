@@ -1,0 +1,5 @@
+// Of FreeRTOS: the name that the program of `zstrip bake --project esp_idf` calls. FreeRTOS.h must be included before
+// it.
+#pragma once
+
+void vTaskDelay(TickType_t ticks);
