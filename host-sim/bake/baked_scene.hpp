@@ -20,17 +20,34 @@ namespace zstrip::sim {
 
 class BlobCharacters;
 
-/// Meshes of the scene that joints move.
+/// Meshes of the scene that joints or morph targets move.
 struct BakedSkins {
   std::span<const ModelSkin> meshes;  ///< empty: no mesh has a skin
   std::span<const Joint> joints;      ///< of all these meshes
   std::span<const JointPose> rest;
-  Animation animation;  ///< of the joints
+  Animation animation;                   ///< of the joints
+  std::span<const ModelMorph> morphs{};  ///< empty: no mesh has morph targets that move
+  std::size_t weights = 0;               ///< of all these targets
+  WeightAnimation weight_animation{};
+
+  /// True if the vertices of a mesh move.
+  bool move() const { return !meshes.empty() || !morphs.empty(); }
 
   /// Returns the mesh as it was modelled, or null if no joint moves it.
   const ModelSkin* find(std::size_t mesh) const {
     const auto found = std::ranges::find(meshes, mesh, &ModelSkin::mesh);
     return found == meshes.end() ? nullptr : &*found;
+  }
+  /// Returns the morph targets of the mesh, or null if none moves it.
+  const ModelMorph* find_morph(std::size_t mesh) const {
+    const auto found = std::ranges::find(morphs, mesh, &ModelMorph::mesh);
+    return found == morphs.end() ? nullptr : &*found;
+  }
+  /// Returns the mesh before anything moves it, or null if nothing does.
+  const Mesh* unmoved(std::size_t mesh) const {
+    if (const ModelSkin* const skin = find(mesh)) return &skin->bind;
+    const ModelMorph* const morph = find_morph(mesh);
+    return morph == nullptr ? nullptr : &morph->base;
   }
 };
 

@@ -186,8 +186,10 @@ ClippingRecord find_clipping(const BakedScene& baked, bool turntable) {
                            fmt::format("in any of the {} {} of the animation", grouped(poses),
                                        poses == duration ? "milliseconds" : "frames")});
   }
-  // Joints move vertices within the boxes of their meshes.
-  if (!baked.skins.meshes.empty()) return checked(baked, {1, "", "wherever its joints move"});
+  // Joints and morph targets move vertices within the boxes of their meshes.
+  if (baked.skins.move()) {
+    return checked(baked, {1, "", baked.skins.meshes.empty() ? "however it morphs" : "wherever its joints move"});
+  }
   if (!turntable) return stays("without --turntable it is not known how the scene moves");
   if (baked.turn.what == Turning::nothing) return stays("nothing turns, so that a program would move the camera");
   const std::uint32_t poses = affordable(kPosesOfTurn, instances);

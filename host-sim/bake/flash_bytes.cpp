@@ -1,4 +1,4 @@
-// Computes the flash of a scene, by kind of data, and the RAM of its skins.
+// Computes the flash of a scene, by kind of data, and the RAM of its skins and morph targets.
 #include "bake/flash_bytes.hpp"
 
 #include <set>
@@ -33,8 +33,8 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
     if (seen.insert({records.data(), records.size()}).second) sum += records.size_bytes();
   };
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const ModelSkin* const skin = skins.find(i);
-    const Mesh& mesh = skin == nullptr ? scene.meshes[i] : skin->bind;
+    const Mesh* const unmoved = skins.unmoved(i);
+    const Mesh& mesh = unmoved == nullptr ? scene.meshes[i] : *unmoved;
     add(bytes.positions, mesh.positions);
     add(bytes.normals, mesh.normals);
     add(bytes.colours, mesh.colours);
@@ -63,9 +63,21 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   for (const ModelSkin& skin : skins.meshes) add(bytes.joints, skin.vertices);
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes() +
                     skins.animation.keyframes.size_bytes() + skins.animation.tracks.size_bytes();
-  if (!skins.meshes.empty()) {
-    constexpr std::uint64_t kSkinBytes = 28, kMovedBytes = 24;
-    bytes.tables += scene.meshes.size() * kMeshBytes + skins.meshes.size() * (kSkinBytes + kMovedBytes);
+  bytes.keyframes += skins.weight_animation.keys.size_bytes() + skins.weight_animation.tracks.size_bytes();
+  for (const ModelMorph& morph : skins.morphs) {
+    for (const MorphTarget& target : morph.targets) {
+      bytes.morphs += target.runs.size_bytes() + target.positions.size_bytes() + target.normals.size_bytes();
+    }
+  }
+  if (skins.move()) {
+    constexpr std::uint64_t kSkinBytes = 28, kMovedBytes = 24, kMorphBytes = 12 + 2, kTargetBytes = 28;
+    bytes.tables +=
+        scene.meshes.size() * kMeshBytes + skins.meshes.size() * kSkinBytes + skins.morphs.size() * kMorphBytes;
+    for (const ModelMorph& morph : skins.morphs) bytes.tables += morph.targets.size() * kTargetBytes;
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+      if (skins.unmoved(i) != nullptr) bytes.tables += kMovedBytes;
+      if (skins.find(i) != nullptr && skins.find_morph(i) != nullptr) bytes.tables += kMeshBytes;
+    }
   }
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
                   scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
@@ -77,9 +89,14 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
 
 SkinRam skin_ram(const BakedSkins& skins) {
   SkinRam ram{.joints = skins.joints.size() * (sizeof(JointPose) + sizeof(Transform))};
-  for (const ModelSkin& skin : skins.meshes) {
-    ram.vertices += skin.bind.positions.size_bytes() + skin.bind.normals.size_bytes() + skin.bind.meshlets.size_bytes();
+  const auto add = [&ram](const Mesh& mesh) {
+    ram.vertices += mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.meshlets.size_bytes();
+  };
+  for (const ModelSkin& skin : skins.meshes) add(skin.bind);
+  for (const ModelMorph& morph : skins.morphs) {
+    if (skins.find(morph.mesh) == nullptr) add(morph.base);
   }
+  if (!skins.morphs.empty()) ram.weights = skins.weights * sizeof(MorphWeight);
   return ram;
 }
 

@@ -1,4 +1,4 @@
-// Computes the flash of a scene, by kind of data, and the RAM of its skins.
+// Computes the flash of a scene, by kind of data, and the RAM of its skins and morph targets.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,14 @@ struct FlashBytes {
   std::uint64_t edges = 0;
   std::uint64_t texels = 0;
   std::uint64_t joints = 0;     ///< with the joints' weights of each vertex
+  std::uint64_t morphs = 0;     ///< offsets of morph targets
   std::uint64_t keyframes = 0;  ///< with tracks
   std::uint64_t tree = 0;       ///< for method::bsp
   std::uint64_t tables = 0;     ///< meshes, materials, textures, instances, lights, camera
 
   std::uint64_t arrays() const {
-    return positions + normals + colours + texcoords + triangles + meshlets + edges + texels + joints + keyframes +
-           tree;
+    return positions + normals + colours + texcoords + triangles + meshlets + edges + texels + joints + morphs +
+           keyframes + tree;
   }
   std::uint64_t total() const { return arrays() + tables; }
 };
@@ -39,10 +40,13 @@ std::uint64_t table_bytes(const Scene& scene);
 FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree = {},
                        const BakedSkins& skins = {});
 
-/// The RAM of skins, in addition to the arena.
+/// The RAM of skins and morph targets, in addition to the arena.
 struct SkinRam {
   std::uint64_t vertices = 0;  ///< moved positions, normals and meshlets
   std::uint64_t joints = 0;    ///< poses and matrices
+  std::uint64_t weights = 0;   ///< of morph targets
+
+  std::uint64_t total() const { return vertices + joints + weights; }
 };
 SkinRam skin_ram(const BakedSkins& skins);
 

@@ -190,4 +190,11 @@ std::string literal(const JointPose& pose) {
                      literal(pose.scale));
 }
 
+std::string literal(const MorphRun& run) {
+  return fmt::format("{{{}, {}, {}}}", run.first_vertex, run.count, run.first_offset);
+}
+std::string literal(const MorphOffset& offset) { return fmt::format("{{{}, {}, {}}}", offset.x, offset.y, offset.z); }
+std::string literal(const NormalOffset& offset) { return fmt::format("{{{}, {}, {}}}", offset.x, offset.y, offset.z); }
+std::string literal(const WeightKey& key) { return fmt::format("{{{}, {}}}", key.time, key.weight); }
+
 }  // namespace zstrip::sim

@@ -10,6 +10,7 @@
 
 #include "zstrip/animation.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/morph.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
@@ -55,6 +56,10 @@ std::string literal(const BspNode& n);
 std::string literal(const VertexJoints& vertex);
 std::string literal(const Joint& joint);
 std::string literal(const JointPose& pose);
+std::string literal(const MorphRun& run);
+std::string literal(const MorphOffset& offset);
+std::string literal(const NormalOffset& offset);
+std::string literal(const WeightKey& key);
 const char* turning_name(Turning turning);
 
 /// Returns the definition of an array that is not empty, in lines of a header's width.

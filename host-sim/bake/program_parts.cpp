@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bake/scene_header.hpp"
 #include "panel/simulated_panel.hpp"
 #include "report/frame_record.hpp"
 #include "text/text.hpp"
@@ -49,7 +50,15 @@ std::string with_namespace(std::string text, const std::string& name_space) {
   return text;
 }
 
-bool bends(const BakedScene& baked) { return !baked.skins.meshes.empty(); }
+bool bends(const BakedScene& baked) { return baked.skins.move(); }
+
+std::string pose_call(const BakedScene& baked, std::string_view time) {
+  return fmt::format("@::{}({})", pose_function_of(baked.skins), time);
+}
+
+std::string pose_words(const BakedScene& baked) {
+  return baked.skins.meshes.empty() ? "the morph targets are not posed" : "the skin is not posed";
+}
 
 std::string first_line(const BakedScene& baked) {
   return fmt::format("// {} in {}x{} pixels, {}.", printable(baked.source), baked.view.width, baked.view.height,

@@ -180,8 +180,9 @@ Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_s
 
 std::string to_sketch(const BakedScene& baked, const std::string& name_space, DisplayLibrary library) {
   // Called before fit(), which counts the vertices of the skin.
-  const std::string pose =
-      bends(baked) ? "  if (!@::pose_skins(player.time())) Serial.println(\"the skin is not posed\");\n" : "";
+  const std::string pose = bends(baked) ? fmt::format("  if (!{}) Serial.println(\"{}\");\n",
+                                                      pose_call(baked, "player.time()"), pose_words(baked))
+                                        : "";
   const SketchPanel panel = sketch_panel(baked.view, library);
   std::string text = panel.head + player_text(baked) + panel.objects;
   text += "\nvoid setup() {\n  Serial.begin(115200);\n" + panel.start;
@@ -244,7 +245,7 @@ int main(int count, char** words) {
   // A loop calls player.play(now) before each frame, with the milliseconds of a clock.
   if (count > 2) player.seek(static_cast<std::uint32_t>(std::strtoul(words[2], nullptr, 10)));
 )";
-  if (bends(baked)) text += "  if (!@::pose_skins(player.time())) return 1;\n";
+  if (bends(baked)) text += fmt::format("  if (!{}) return 1;\n", pose_call(baked, "player.time()"));
   text += R"(  const bool fits = opened && player.fit(@::kView.width, @::kView.height, @::kView.format, kOptions);
   if (!fits || !player.draw_strips(send)) {
     std::fprintf(stderr, "%s\n", player.error());

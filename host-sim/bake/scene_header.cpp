@@ -8,6 +8,7 @@
 #include <map>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "bake/effects_found.hpp"
 #include "bake/literals.hpp"
@@ -19,8 +20,8 @@
 namespace zstrip::sim {
 namespace {
 
-/// The largest number of a skin's vertices that the compiler checks: with more, Clang reaches its limit of steps. The
-/// import has checked all of them.
+/// The largest number of a skin's vertices, or of a mesh's morph offsets, that the compiler checks: with more, Clang
+/// reaches its limit of steps. The import has checked all of them.
 constexpr std::size_t kMaxChecked = 8192;
 
 /// Builds the text, and keeps the names that are in use.
@@ -34,7 +35,8 @@ class Header {
     if (bends()) line("#include <algorithm>\n#include <cstdint>\n");
     for (const char* header :
          {"animation.hpp", "camera.hpp", "effects.hpp", is_fixed() ? "fixed_renderer.hpp" : nullptr, "plan.hpp",
-          "scene.hpp", "scene/turn.hpp", bends() ? "skin.hpp" : nullptr, "status.hpp", "view.hpp"}) {
+          bends() ? "morph.hpp" : nullptr, "scene.hpp", "scene/turn.hpp", bends() ? "skin.hpp" : nullptr, "status.hpp",
+          "view.hpp"}) {
       if (header != nullptr) line(fmt::format("#include \"zstrip/{}\"", header));
     }
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
@@ -45,6 +47,7 @@ class Header {
     scene();
     tree();
     animation();
+    weight_animation();
     joint_animation();
     camera();
     plan();
@@ -58,7 +61,9 @@ class Header {
     text_ += '\n';
   }
 
-  bool bends() const { return !skins_.meshes.empty(); }
+  bool bends() const { return skins_.move(); }
+  /// Returns the function that a program calls before each frame.
+  const char* pose_function() const { return pose_function_of(skins_); }
   bool is_unclipped() const { return baked_.effects.has(effect::unclipped); }
   /// True if a FixedRenderer draws the scene.
   bool is_fixed() const {
@@ -91,7 +96,7 @@ class Header {
       for (std::string text : part) {
         for (std::size_t at = 0; (at = text.find('@')) != std::string::npos;) text.replace(at, 1, name_space + "::");
         if (bends() && text.starts_with("renderer.begin_frame")) {
-          line(fmt::format("//     {}::pose_skins(milliseconds);", name_space));
+          line(fmt::format("//     {}::{}(milliseconds);", name_space, pose_function()));
         }
         line(text.empty() ? "//" : "//     " + text);
       }
@@ -105,8 +110,9 @@ class Header {
       return;
     }
     if (bends()) {
-      line("// pose_skins writes the vertices that joints move, in RAM. Before its first call they are zeros, so that");
-      line("// nothing is drawn. It also returns a Status.");
+      line(fmt::format("// {} writes the vertices that {} move, in RAM. Before its first call they are zeros,",
+                       pose_function(), skins_.meshes.empty() ? "morph targets" : "joints"));
+      line("// so that nothing is drawn. It also returns a Status.");
     }
     if (is_fixed()) {
       line("// begin_frame and draw_strip return a Status: check it. To move the scene, change the transforms of");
@@ -142,8 +148,8 @@ class Header {
 
   void data() {
     for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
-      const ModelSkin* const skin = skins_.find(i);
-      const Mesh& mesh = skin == nullptr ? scene_.meshes[i] : skin->bind;
+      const Mesh* const unmoved = skins_.unmoved(i);
+      const Mesh& mesh = unmoved == nullptr ? scene_.meshes[i] : *unmoved;
       const auto name = [i](const char* what) { return fmt::format("k{}{}", what, i); };
       meshes_ += "    {.positions = " + array("zstrip::Position", name("Positions"), mesh.positions);
       meshes_ += ",\n     .normals = " + array("zstrip::Normal", name("Normals"), mesh.normals);
@@ -214,49 +220,141 @@ class Header {
         fmt::arg("pad", "                                      ")));
   }
 
-  /// Writes the mesh table, and the skins of its meshes.
+  /// Returns the meshes that move: those with skins, then the others with morph targets.
+  std::vector<std::size_t> moved_meshes() const {
+    std::vector<std::size_t> moved;
+    for (const ModelSkin& skin : skins_.meshes) moved.push_back(skin.mesh);
+    for (const ModelMorph& morph : skins_.morphs) {
+      if (skins_.find(morph.mesh) == nullptr) moved.push_back(morph.mesh);
+    }
+    return moved;
+  }
+
+  /// Writes the mesh table, and what moves its meshes.
   void skins() {
+    const std::vector<std::size_t> moved = moved_meshes();
     line(
-        fmt::format("\n/// The meshes as they were modelled, and the skins of some of them.\n"
+        fmt::format("\n/// The meshes before joints and morph targets move some of them.\n"
                     "inline constexpr zstrip::Mesh kBindMeshes[{}] = {{\n{}}};",
                     scene_.meshes.size(), meshes_));
-    array("zstrip::Joint", "kJoints", skins_.joints);
-    array("zstrip::JointPose", "kJointRest", skins_.rest);
-    std::string skins, checks, arrays, moved, meshes;
-    for (std::size_t i = 0; i < skins_.meshes.size(); ++i) {
-      const ModelSkin& skin = skins_.meshes[i];
-      const std::string vertices = array("zstrip::VertexJoints", fmt::format("kVertexJoints{}", i), skin.vertices);
-      skins += fmt::format("    {{.mesh = &kBindMeshes[{}], .vertices = {}, .joints = kJoints, .rest = kJointRest}},\n",
-                           skin.mesh, vertices);
-      if (skin.vertices.size() <= kMaxChecked) {
-        checks += fmt::format("static_assert(zstrip::validate(kSkins[{}]));\n", i);
-      }
+    std::string arrays, spans, meshes;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const Mesh& unmoved = *skins_.unmoved(moved[i]);
       const auto in_ram = [&](const char* type, const char* name, std::size_t count) {
         if (count == 0) return std::string("{}");
         arrays += fmt::format("inline zstrip::{} {}{}[{}];\n", type, name, i, count);
         return fmt::format("{}{}", name, i);
       };
-      moved += "    {.positions = " + in_ram("Position", "moved_positions", skin.bind.positions.size());
-      moved += ", .normals = " + in_ram("Normal", "moved_normals", skin.bind.normals.size());
-      moved += ", .meshlets = " + in_ram("Meshlet", "moved_meshlets", skin.bind.meshlets.size()) + "},\n";
+      spans += "    {.positions = " + in_ram("Position", "moved_positions", unmoved.positions.size());
+      spans += ", .normals = " + in_ram("Normal", "moved_normals", unmoved.normals.size());
+      spans += ", .meshlets = " + in_ram("Meshlet", "moved_meshlets", unmoved.meshlets.size()) + "},\n";
     }
-    for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
-      const ModelSkin* const skin = skins_.find(i);
-      meshes += skin == nullptr ? fmt::format("    kBindMeshes[{}],\n", i)
-                                : fmt::format("    zstrip::moved_mesh(kBindMeshes[{}], kMoved[{}]),\n", i,
-                                              skin - skins_.meshes.data());
-    }
-    text_ +=
-        fmt::format("inline constexpr zstrip::Skin kSkins[{0}] = {{\n{1}}};\n{2}", skins_.meshes.size(), skins, checks);
     text_ += fmt::format(
-        "/// The moved vertices, in RAM: zeros, not the rest pose, before the first pose_skins.\n{1}"
-        "inline constexpr zstrip::MovedVertices kMoved[{0}] = {{\n{2}}};\n\n"
-        "/// The meshes that are drawn.\ninline constexpr zstrip::Mesh kMeshes[{3}] = {{\n{4}}};\n",
-        skins_.meshes.size(), arrays, moved, scene_.meshes.size(), meshes);
+        "/// The moved vertices, in RAM: zeros, not the rest pose, before the first {2}.\n{1}"
+        "inline constexpr zstrip::MovedVertices kMoved[{0}] = {{\n{3}}};\n",
+        moved.size(), arrays, pose_function(), spans);
+    if (!skins_.morphs.empty()) morphs(moved);
+    if (!skins_.meshes.empty()) skins_of_meshes();
+    for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
+      const auto at = std::ranges::find(moved, i);
+      meshes += at == moved.end()
+                    ? fmt::format("    kBindMeshes[{}],\n", i)
+                    : fmt::format("    zstrip::moved_mesh(kBindMeshes[{}], kMoved[{}]),\n", i, at - moved.begin());
+    }
+    text_ += fmt::format("/// The meshes that are drawn.\ninline constexpr zstrip::Mesh kMeshes[{}] = {{\n{}}};\n",
+                         scene_.meshes.size(), meshes);
+  }
+
+  /// Writes the skins, of bind meshes or of what morph targets made of them.
+  void skins_of_meshes() {
+    array("zstrip::Joint", "kJoints", skins_.joints);
+    array("zstrip::JointPose", "kJointRest", skins_.rest);
+    std::string skins, checks, morphed;
+    std::size_t morphed_count = 0;
+    for (std::size_t i = 0; i < skins_.meshes.size(); ++i) {
+      const ModelSkin& skin = skins_.meshes[i];
+      const std::string vertices = array("zstrip::VertexJoints", fmt::format("kVertexJoints{}", i), skin.vertices);
+      std::string mesh = fmt::format("kBindMeshes[{}]", skin.mesh);
+      if (skins_.find_morph(skin.mesh) != nullptr) {
+        morphed += fmt::format("    zstrip::moved_mesh({}, kMoved[{}]),\n", mesh, i);
+        mesh = fmt::format("kMorphedMeshes[{}]", morphed_count++);
+      }
+      skins +=
+          fmt::format("    {{.mesh = &{}, .vertices = {}, .joints = kJoints, .rest = kJointRest}},\n", mesh, vertices);
+      if (skin.vertices.size() <= kMaxChecked) {
+        checks += fmt::format("static_assert(zstrip::validate(kSkins[{}]));\n", i);
+      }
+    }
+    if (morphed_count > 0) {
+      text_ += fmt::format(
+          "/// What morph targets have moved, and skins move further.\n"
+          "inline constexpr zstrip::Mesh kMorphedMeshes[{}] = {{\n{}}};\n",
+          morphed_count, morphed);
+    }
+    text_ += fmt::format("inline constexpr zstrip::Skin kSkins[{0}] = {{\n{1}}};\n{2}\n", skins_.meshes.size(), skins,
+                         checks);
+  }
+
+  /// Writes the morph targets. `moved`: the mesh of each element of kMoved.
+  void morphs(const std::vector<std::size_t>& moved) {
+    std::string morphs, indices, checks;
+    for (std::size_t i = 0; i < skins_.morphs.size(); ++i) {
+      const ModelMorph& morph = skins_.morphs[i];
+      std::string targets;
+      std::size_t offsets = 0;
+      for (std::size_t k = 0; k < morph.targets.size(); ++k) {
+        const MorphTarget& target = morph.targets[k];
+        const auto name = [&](const char* what) { return fmt::format("k{}{}Of{}", what, k, i); };
+        targets += fmt::format("    {{.weight = {}, .runs = {}, .positions = {}, .normals = {}}},\n", target.weight,
+                               array("zstrip::MorphRun", name("MorphRuns"), target.runs),
+                               array("zstrip::MorphOffset", name("MorphOffsets"), target.positions),
+                               array("zstrip::NormalOffset", name("NormalOffsets"), target.normals));
+        offsets += target.positions.size();
+      }
+      text_ += fmt::format("inline constexpr zstrip::MorphTarget kMorphTargets{}[{}] = {{\n{}}};\n", i,
+                           morph.targets.size(), targets);
+      morphs += fmt::format("    {{.mesh = &kBindMeshes[{}], .targets = kMorphTargets{}}},\n", morph.mesh, i);
+      indices += fmt::format("{}{}", i == 0 ? "" : ", ", std::ranges::find(moved, morph.mesh) - moved.begin());
+      if (offsets <= kMaxChecked) checks += fmt::format("static_assert(zstrip::validate(kMorphs[{}]));\n", i);
+    }
+    text_ += fmt::format(
+        "/// The meshes that morph targets move, and their elements of kMoved.\n"
+        "inline constexpr zstrip::Morph kMorphs[{0}] = {{\n{1}}};\n"
+        "inline constexpr std::uint16_t kMovedByMorph[{0}] = {{{2}}};\n{3}\n",
+        skins_.morphs.size(), morphs, indices, checks);
+  }
+
+  void weight_animation() {
+    if (skins_.morphs.empty()) return;
+    line("\n/// The motion of the weights: Track::instance is the index of a weight. It lasts as long as kAnimation.");
+    const WeightAnimation& animation = skins_.weight_animation;
+    const std::string tracks = array("zstrip::Track", "kWeightTracks", animation.tracks);
+    const std::string keys = array("zstrip::WeightKey", "kWeightKeys", animation.keys);
+    line(fmt::format(
+        "inline constexpr zstrip::WeightAnimation kWeightAnimation{{.tracks = {}, .keys = {}, .duration = {}}};",
+        tracks, keys, animation.duration));
+    text_ += fmt::format(
+        "/// A weight of 0 is the file's weight at rest. Weights without a track are the program's.\n"
+        "inline zstrip::MorphWeight morph_weights[{0}];\n"
+        "/// Moves the vertices by morph_weights.\n"
+        "inline zstrip::Status move_morphs() {{\n"
+        "  for (std::uint32_t i = 0; i < {1}; ++i) {{\n"
+        "    const zstrip::Status moved = zstrip::morph_mesh(kMorphs[i], morph_weights, kMoved[kMovedByMorph[i]]);\n"
+        "    if (!moved) return moved;\n"
+        "  }}\n"
+        "  return {{}};\n"
+        "}}\n"
+        "/// Moves the vertices to their place at any time, in milliseconds after the animation's start. {2}\n"
+        "inline zstrip::Status pose_morphs(std::uint32_t milliseconds) {{\n"
+        "  zstrip::pose(kWeightAnimation, milliseconds, morph_weights);\n"
+        "  return move_morphs();\n"
+        "}}\n",
+        skins_.weights, skins_.morphs.size(),
+        skins_.meshes.empty() ? "Call it before\n/// begin_frame." : "pose_skins\n/// calls it.");
   }
 
   void joint_animation() {
-    if (!bends()) return;
+    if (skins_.meshes.empty()) return;
     line("\n/// The motion of the joints: Track::instance is the index of a joint. It lasts as long as kAnimation.");
     const std::string tracks = array("zstrip::Track", "kJointTracks", skins_.animation.tracks);
     const std::string keyframes = array("zstrip::Keyframe", "kJointKeyframes", skins_.animation.keyframes);
@@ -275,6 +373,7 @@ class Header {
         "/// Moves the skins to their place at any time, in milliseconds after the animation's start. Call it before\n"
         "/// begin_frame.\n"
         "inline zstrip::Status pose_skins(std::uint32_t milliseconds) {{\n"
+        "{3}"
         "  std::ranges::copy(kJointRest, joint_poses);\n"
         "  zstrip::pose(kJointAnimation, milliseconds, joint_poses);\n"
         "  for (std::uint32_t i = 0; i < {2}; ++i) {{\n"
@@ -283,7 +382,10 @@ class Header {
         "  }}\n"
         "  return {{}};\n"
         "}}\n",
-        skins_.joints.size(), zeros, skins_.meshes.size());
+        skins_.joints.size(), zeros, skins_.meshes.size(),
+        skins_.morphs.empty()
+            ? ""
+            : "  if (const zstrip::Status morphed = pose_morphs(milliseconds); !morphed) return morphed;\n");
   }
 
   std::string lines() {
@@ -482,6 +584,8 @@ bool is_namespace(const std::string& name) {
   return std::all_of(name.begin(), name.end(), allowed) &&
          kTaken.find(fmt::format(" {} ", name)) == std::string_view::npos;
 }
+
+const char* pose_function_of(const BakedSkins& skins) { return skins.meshes.empty() ? "pose_morphs" : "pose_skins"; }
 
 std::string to_scene_header(const BakedScene& baked, const std::string& name_space) {
   return Header(baked).text(name_space);

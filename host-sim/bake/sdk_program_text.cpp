@@ -59,7 +59,7 @@ bool start_panel() {
 /// Writes the vertices of skins for the time `time`, an expression, if there are skins.
 std::string pico_pose(const BakedScene& baked, const char* indent, const char* time) {
   if (!bends(baked)) return {};
-  return fmt::format("{}if (!@::pose_skins({})) std::puts(\"the skin is not posed\");\n", indent, time);
+  return fmt::format("{}if (!{}) std::puts(\"{}\");\n", indent, pose_call(baked, time), pose_words(baked));
 }
 
 /// Two renderers share the strips of a frame, so that there is no player.
@@ -154,9 +154,9 @@ std::string esp_idf_program(const BakedScene& baked) {
   const UprightModule module = upright_module(baked.view);
   const bool sideways = lies_sideways(baked.view);
   const auto pose = [&](const char* indent) {
-    return bends(baked)
-               ? fmt::format("{}if (!@::pose_skins(player.time())) std::puts(\"the skin is not posed\");\n", indent)
-               : std::string();
+    return bends(baked) ? fmt::format("{}if (!{}) std::puts(\"{}\");\n", indent, pose_call(baked, "player.time()"),
+                                      pose_words(baked))
+                        : std::string();
   };
   std::string text = R"( For ESP-IDF 5.0.1 or later and an ST7789, written by `zstrip
 // bake`. The CMakeLists.txt of the folder above says how to build it.

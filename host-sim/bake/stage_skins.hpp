@@ -1,4 +1,4 @@
-// The meshes of a stage that joints move.
+// The meshes of a stage that joints and morph targets move.
 #pragma once
 
 #include "bake/baked_scene.hpp"
@@ -11,7 +11,13 @@ namespace zstrip::sim {
 inline BakedSkins skins_of(const Stage& stage) {
   const Model* const model = stage.model();
   if (!stage.bends() || model == nullptr) return {};
-  return {model->skins, model->joints, model->rest, stage.joint_animation()};
+  BakedSkins skins{model->skins, model->joints, model->rest, stage.joint_animation()};
+  if (const WeightAnimation weights = stage.weight_animation(); !weights.tracks.empty()) {
+    skins.morphs = model->morphs;
+    skins.weights = model->weights.size();
+    skins.weight_animation = weights;
+  }
+  return skins;
 }
 
 }  // namespace zstrip::sim

@@ -91,6 +91,9 @@ Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effe
                              const Scene& scene, bool warn) {
   if (is_source(kind)) return OutputSkins{skins_of(stage), {}};
   OutputSkins output;
+  if (warn && !skins_of(stage).morphs.empty()) {
+    print_warning("a blob has no morph targets: what they move keeps its first shape; a header (-o FILE.hpp) moves it");
+  }
   Result<std::vector<ModelClip>> clips = stage.clips();
   if (!clips) return clips.failure();
   const auto bends = [](const ModelClip& clip) { return !clip.joints.view().tracks.empty(); };
@@ -179,6 +182,7 @@ std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const BakeArguments& arg
   if (!is_source(kind) || arguments.clipping == "on" || !moves_as_baked || at_rest.scene.edges.empty()) return nullptr;
   std::vector<std::size_t> bent;
   for (const ModelSkin& skin : skins.meshes) bent.push_back(skin.mesh);
+  for (const ModelMorph& morph : skins.morphs) bent.push_back(morph.mesh);
   return std::make_unique<ShownEdges>(scenes::AtRest{at_rest.scene, at_rest.camera, animation, turn}, view, bent);
 }
 

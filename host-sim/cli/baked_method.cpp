@@ -64,14 +64,15 @@ Result<Done> settle_method(BakeKind kind, const std::string& scene, bool is_opti
 
 Result<PreparedScene> prepare_for(Effects method, bool has_visible_sets, const Staging& staging,
                                   const Animation& animation, const BakedSkins& skins) {
-  if (has_visible_sets && !skins.meshes.empty()) {
+  if (has_visible_sets && skins.move()) {
     return Failure{ExitStatus::usage,
-                   "--visible-sets are of meshlets that keep their shape, and here joints move their vertices; leave "
+                   "--visible-sets are of meshlets that keep their shape, and here joints or morph targets move their "
+                   "vertices; leave "
                    "it out"};
   }
   if (method.any(zstrip::method::orders)) {
     const std::string_view name = visibility_name(method);
-    if (!animation.tracks.empty() || !skins.meshes.empty()) {
+    if (!animation.tracks.empty() || skins.move()) {
       return Failure{ExitStatus::usage,
                      fmt::format("--visibility {} orders triangles that stand still, and here some move; bake with "
                                  "another method",

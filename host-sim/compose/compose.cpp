@@ -100,6 +100,12 @@ class Composer {
       for (const std::string& warning : composed_->models.back().warnings) {
         composed_->warnings.push_back(fmt::format("model '{}': {}", entry.name, warning));
       }
+      if (!composed_->models.back().morphs.empty()) {
+        composed_->warnings.push_back(fmt::format(
+            "model '{}': its morph targets stand as they are at rest; zstrip render and bake of the model itself move "
+            "them",
+            entry.name));
+      }
       if (!composed_->models.back().skins.empty()) {
         composed_->warnings.push_back(fmt::format(
             "model '{}': its skin stands as it is at rest; zstrip render and bake of the model itself move it",

@@ -42,7 +42,7 @@ Result<FitChoice> measured(const BakeArguments& arguments, const BoardModel& boa
                    .flash = record.flash.total(),
                    .ram = std::uint64_t{baked.plan.bytes()} +
                           std::uint64_t{record.strip_buffers} * baked.plan.strip_pixel_bytes(baked.view) +
-                          record.skin_ram.vertices + record.skin_ram.joints,
+                          record.skin_ram.total(),
                    .triangle_count = record.counts.triangles,
                    .rate = rate_on(board, board.spi_mhz, {baked.plan, baked.view, instructions}),
                    .picture = rgb_image_of(baked.view, renderer.pixels())};

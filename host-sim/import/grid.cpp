@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "import/quantise.hpp"
+#include "import/quantised_morphs.hpp"
 #include "import/quantised_skins.hpp"
 
 namespace zstrip::sim {
@@ -21,6 +22,8 @@ Position Grid::position(const std::array<float, 3>& from) const {
   };
   return {coordinate(0, half_extent.x), coordinate(1, half_extent.y), coordinate(2, half_extent.z)};
 }
+
+double Grid::steps_of(double offset) const { return offset * units.scale * kFixedOne / half_extent.x * 32768; }
 
 Grid fit_grid(const SourceModel& source) {
   std::array<double, 3> low{};
@@ -73,9 +76,9 @@ Grid grid_of_own(const SourceMesh& mesh, const Grid& whole) {
   return {whole.units, whole.vertices_from, {centres[0], centres[1], centres[2]}, {halves[0], halves[1], halves[2]}};
 }
 
-Grid grid_of_skin(const SourceModel& source, const SourceMesh& mesh, const Grid& whole) {
+Grid grid_of_moved(const SourceModel& source, const SourceMesh& mesh, const Grid& whole) {
   constexpr double kMargin = 1.02;
-  const SourceBox box = box_of_poses(source, mesh);
+  const SourceBox box = mesh.has_skin ? box_of_poses(source, mesh) : box_of_morphs(source, mesh);
   Grid grid{whole.units, whole.vertices_from, {}, {}};
   double largest = 0;
   std::array<double, 3> centre{};
@@ -85,7 +88,13 @@ Grid grid_of_skin(const SourceModel& source, const SourceMesh& mesh, const Grid&
   }
   const auto fixed = [](double value) { return to_fixed(std::clamp(value, -4094.0, 4094.0)); };
   grid.centre = {fixed(centre[0]), fixed(centre[1]), fixed(centre[2])};
-  const Fixed half = fixed(largest * kMargin);
+  largest *= kMargin;
+  if (mesh.has_morphs) {
+    // A keyframe of a weight may be off by the animation's tolerance; an offset may be as long as a half extent.
+    constexpr double kTolerance = 1.0 / 1024;
+    largest = std::max(largest + kTolerance, longest_offset(source, mesh) * whole.units.scale);
+  }
+  const Fixed half = fixed(largest);
   grid.half_extent = {half, half, half};
   return grid;
 }

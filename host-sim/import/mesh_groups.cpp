@@ -34,14 +34,15 @@ bool has_area(const SourceVertex& a, const SourceVertex& b, const SourceVertex& 
 SourceMesh& MeshGroups::mesh_for(const SourcePrimitive& primitive) {
   const bool blends = model_.materials[primitive.material].alpha_mode == AlphaMode::blend;
   const auto apart = static_cast<std::uint32_t>(blends ? model_.meshes.size() + 1 : 0);
-  const auto [at, is_new] = groups_.try_emplace(
-      {primitive.material, primitive.has_colours, primitive.has_texcoords, primitive.node, primitive.has_skin, apart},
-      model_.meshes.size());
+  const auto [at, is_new] = groups_.try_emplace({primitive.material, primitive.has_colours, primitive.has_texcoords,
+                                                 primitive.node, primitive.has_skin, primitive.has_morphs, apart},
+                                                model_.meshes.size());
   if (is_new) {
     SourceMesh& mesh = model_.meshes.emplace_back();
     mesh.material = primitive.material;
     mesh.node = primitive.node;
     mesh.has_skin = primitive.has_skin;
+    mesh.has_morphs = primitive.has_morphs;
     mesh.has_colours = primitive.has_colours;
     mesh.has_texcoords = primitive.has_texcoords;
   }
@@ -87,7 +88,7 @@ Result<Done> MeshGroups::add(SourcePrimitive primitive) {
                    fmt::format("has more than {} triangles, lines and points; simplify the model", kMaxTriangles)};
   }
   if (primitive.vertex_alpha) ++vertex_alpha_;
-  if (primitive.morphs) ++morphs_;
+  if (primitive.left_at_rest) ++morphs_;
   bad_texcoords_ += primitive.bad_texcoords;
   if (!primitive.indices.empty()) add_triangles(primitive);
   if (!primitive.segments.empty()) add_segments(primitive);
@@ -110,7 +111,7 @@ void MeshGroups::add_triangles(const SourcePrimitive& primitive) {
       ++not_finite_;
       continue;
     }
-    if (!has_area(va, vb, vc)) continue;
+    if (!has_area(va, vb, vc) && va.morph == 0 && vb.morph == 0 && vc.morph == 0) continue;
     if (primitive.mirrored) std::swap(b, c);
     ++kept_;
     group.indices.insert(group.indices.end(), {first + a, first + b, first + c});
@@ -161,7 +162,7 @@ Result<Done> MeshGroups::finish() {
   warn_of(bent_segments_, "line", "left out: skins bend triangles only");
   warn_of(bad_texcoords_, "texture coordinate", "not finite (NaN or infinite): drawn as 0");
   warn_of(vertex_alpha_, "mesh", "drawn without the alpha of its vertex colours, which differs");
-  warn_of(morphs_, "mesh", "with morph targets drawn at rest: only nodes and skins are animated");
+  warn_of(morphs_, "mesh", "with morph targets drawn at rest: only those of glTF 2.0 move");
   std::erase_if(model_.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });
   std::erase_if(model_.lines, [](const SourceLines& lines) { return lines.indices.empty(); });
   return Done{};

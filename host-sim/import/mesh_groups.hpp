@@ -15,10 +15,10 @@ namespace zstrip::sim {
 struct SourcePrimitive {
   std::uint32_t material = 0;   ///< index into SourceModel::materials
   std::int32_t node = kNoNode;  ///< as in SourceMesh::node
-  bool has_colours = false, has_texcoords = false, has_skin = false;
+  bool has_colours = false, has_texcoords = false, has_skin = false, has_morphs = false;
   bool mirrored = false;                ///< a node mirrors it: the winding of triangles is restored
   bool vertex_alpha = false;            ///< alpha of vertex colours differs, and has an effect
-  bool morphs = false;                  ///< an animation changes its shape
+  bool left_at_rest = false;            ///< has morph targets that an animation may move, and that are left out
   std::uint64_t bad_texcoords = 0;      ///< vertices whose texture coordinates are not finite, and were set to 0
   std::vector<SourceVertex> vertices;   ///< without positions
   std::vector<Vector> positions;        ///< one for each vertex, in the file's coordinates
@@ -44,8 +44,8 @@ class MeshGroups {
   void add_segments(const SourcePrimitive& primitive);
 
   SourceModel& model_;
-  /// By material, colours, texture coordinates, node, skin; and a number if meshes must stay separate.
-  std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, bool, std::uint32_t>, std::size_t> groups_;
+  /// By material, colours, texture coordinates, node, skin, morph targets; and a number if meshes must stay separate.
+  std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, bool, bool, std::uint32_t>, std::size_t> groups_;
   /// Groups of lines, by material, colours, node.
   std::map<std::tuple<std::uint32_t, bool, std::int32_t>, std::size_t> line_groups_;
   bool has_origin_ = false;

@@ -79,6 +79,7 @@ std::vector<MeshData> split_into_meshlets(const MeshData& whole, std::span<const
     append(part.colours, whole.colours, used);
     append(part.texcoords, whole.texcoords, used);
     append(part.joints, whole.joints, used);
+    append(part.morphs, whole.morphs, used);
     for (std::size_t t = 0; t < from.triangle_count; ++t) {
       const unsigned char* corner = &corners[from.triangle_offset + 3 * t];
       const auto index = [&](std::size_t k) { return static_cast<std::uint16_t>(meshlet.first_vertex + corner[k]); };

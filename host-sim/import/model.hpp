@@ -1,6 +1,7 @@
 // An imported model: owns all data that a Scene refers to, in the renderer's fixed-point formats.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -13,6 +14,7 @@
 #include "import/reduction.hpp"
 #include "import/source_model.hpp"
 #include "result.hpp"
+#include "zstrip/morph.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/skin.hpp"
 
@@ -40,7 +42,27 @@ struct MeshData {
   std::vector<TexCoord> texcoords;
   std::vector<Triangle> triangles;
   std::vector<Meshlet> meshlets;
-  std::vector<VertexJoints> joints{};  ///< of a skin, else empty
+  std::vector<VertexJoints> joints{};   ///< of a skin, else empty
+  std::vector<std::uint32_t> morphs{};  ///< SourceVertex::morph of each vertex; empty without morph targets
+};
+
+/// The tables of a morph target.
+struct MorphTables {
+  std::vector<MorphRun> runs;
+  std::vector<MorphOffset> positions;
+  std::vector<NormalOffset> normals;
+};
+
+/// A mesh of Model::meshes that morph targets move. Weights are those of Model::weights.
+struct ModelMorph {
+  std::size_t mesh = 0;  ///< index into Model::meshes, whose mesh has all weights 0, and joints at rest
+  Mesh base;             ///< with all weights 0, as a skin's joints move it further
+  std::vector<MorphTarget> targets;
+};
+
+/// A weight of morph targets that animations change; 0 is the file's weight at rest.
+struct ModelWeight {
+  double reach = 0;  ///< largest distance by which a weight of 1 moves a vertex, in scene units
 };
 
 /// A mesh of Model::meshes that joints move.
@@ -72,6 +94,7 @@ class Model {
   std::deque<MeshData> mesh_data;
   std::deque<std::vector<std::uint16_t>> texels;
   std::deque<std::vector<Segment>> segments;
+  std::deque<MorphTables> morph_tables;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Texture> textures;
@@ -80,6 +103,8 @@ class Model {
   std::vector<std::int32_t> nodes;  ///< for each instance: the node of `tree` that moves it, or kNoNode
   NodeTree tree;                    ///< the file's nodes, in its units
   std::vector<ModelSkin> skins;
+  std::vector<ModelMorph> morphs;
+  std::vector<ModelWeight> weights;
   std::vector<Joint> joints;            ///< of all skins
   std::vector<JointPose> rest;          ///< of each joint
   std::vector<ModelJoint> joint_nodes;  ///< of each joint
@@ -94,6 +119,12 @@ class Model {
   std::optional<Shrunk> shrunk;       ///< if textures were limited
   double outlying = 1;                ///< as outlying_of()
   std::vector<std::string> warnings;  ///< features that are missing in the picture, one line each
+
+  /// Returns the morph targets of a mesh, or null if it has none.
+  const ModelMorph* morph_of(std::size_t mesh) const {
+    const auto found = std::ranges::find(morphs, mesh, &ModelMorph::mesh);
+    return found == morphs.end() ? nullptr : &*found;
+  }
 };
 
 /// Selects the light of back faces of double-sided materials.

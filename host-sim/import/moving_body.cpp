@@ -77,6 +77,23 @@ bool changes_joints(const SourceVertex& a, const SourceVertex& b) {
   return difference > kSameJoints;
 }
 
+/// True if a morph target moves two neighbours apart, or towards each other, by more than half of their distance.
+bool changes_offset(const SourceModel& model, const SourceVertex& a, const SourceVertex& b) {
+  if (a.morph == b.morph) return false;
+  const Vector edge = between(a.position, b.position);
+  const double limit = scalar_product(edge, edge) / 4;
+  std::map<std::uint32_t, Vector> apart;
+  const auto add = [&](const SourceVertex& vertex, double sign) {
+    if (vertex.morph == 0) return;
+    for (const SourceMorphOffset& offset : model.morphs[vertex.morph - 1]) {
+      for (std::size_t axis = 0; axis < 3; ++axis) apart[offset.weight][axis] += sign * double{offset.position[axis]};
+    }
+  };
+  add(a, 1);
+  add(b, -1);
+  return std::ranges::any_of(apart, [&](const auto& each) { return scalar_product(each.second, each.second) > limit; });
+}
+
 /// The growth of texture coordinates from an edge towards the third corner of a triangle, at a right angle to the edge.
 struct Growth {
   std::array<double, 2> slope{};  ///< for a unit of length
@@ -153,7 +170,8 @@ MovingBody::MovingBody(const SourceModel& model, std::vector<std::size_t> meshes
         const std::uint32_t a = mesh.indices[k + corner], b = mesh.indices[k + (corner + 1) % 3];
         const std::uint32_t c = mesh.indices[k + (corner + 2) % 3];
         const SourceVertex &from = mesh.vertices[a], &to = mesh.vertices[b];
-        bool stays = (mesh.has_colours && changes_colour(from, to)) || (mesh.has_skin && changes_joints(from, to));
+        bool stays = (mesh.has_colours && changes_colour(from, to)) || (mesh.has_skin && changes_joints(from, to)) ||
+                     (mesh.has_morphs && changes_offset(model, from, to));
         if (mesh.has_texcoords) {
           corners[{a, b}] = c;
           const auto other = corners.find({b, a});

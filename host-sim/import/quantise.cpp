@@ -17,6 +17,7 @@
 #include "import/lines.hpp"
 #include "import/meshlets.hpp"
 #include "import/outlying.hpp"
+#include "import/quantised_morphs.hpp"
 #include "import/quantised_skins.hpp"
 #include "text/number.hpp"
 #include "text/step_report.hpp"
@@ -46,6 +47,7 @@ MeshData to_mesh_data(const SourceMesh& source, int texcoord_bits, const Grid& g
     data.normals.push_back(to_normal(vertex.normal));
     if (source.has_colours) data.colours.push_back({vertex.colour[0], vertex.colour[1], vertex.colour[2], 255});
     if (source.has_texcoords) data.texcoords.push_back(to_texcoord(vertex.texcoord, texcoord_bits));
+    if (source.has_morphs) data.morphs.push_back(vertex.morph);
     if (!source.has_skin) continue;
     VertexJoints moved;
     std::ranges::copy(vertex.joints, moved.joints);
@@ -123,6 +125,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
   model.warnings = source.warnings;
   model.cameras = source.cameras;
   model.tree = source.nodes;
+  model.weights.resize(source.weights.size());
   set_lights(source.lights, common.units, model);
   const std::vector<bool> used_alpha = find_used_alpha(source);
   std::uint64_t plain = 0;
@@ -156,7 +159,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
     model.material_names.push_back(from.name);
 
     const bool blends = from.alpha_mode == AlphaMode::blend;
-    const Grid grid = mesh.has_skin                      ? grid_of_skin(source, mesh, common)
+    const Grid grid = mesh.has_skin || mesh.has_morphs   ? grid_of_moved(source, mesh, common)
                       : blends && !mesh.vertices.empty() ? grid_of_own(mesh, common)
                                                          : common;
     tell_step("quantising the vertices");
@@ -185,6 +188,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
                               .half_extent = grid.half_extent,
                               .texcoord_bits = static_cast<std::uint8_t>(traits[i].texcoord_bits)});
       if (mesh.has_skin) model.skins.back().bind = model.meshes.back();
+      if (mesh.has_morphs) add_morph(source, grid, data.morphs, model);
     }
   }
   if (const Result<Done> done = add_lines(source, common, model); !done) return done.failure();

@@ -11,45 +11,25 @@
 #include <vector>
 
 #include "import/quantise.hpp"
+#include "import/quantised_morphs.hpp"
 
 namespace zstrip::sim {
 namespace {
 
-constexpr std::array<double, 3> kHighest{-std::numeric_limits<double>::infinity(),
-                                         -std::numeric_limits<double>::infinity(),
-                                         -std::numeric_limits<double>::infinity()};
-constexpr std::array<double, 3> kLowest{-kHighest[0], -kHighest[1], -kHighest[2]};
-
-void include(SourceBox& box, const Vector& point) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.low[axis] = std::min(box.low[axis], point[axis]);
-    box.high[axis] = std::max(box.high[axis], point[axis]);
-  }
-}
-
-template <class Visit>
-void for_each_corner(const SourceBox& box, const Visit& visit) {
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const auto side = [&](std::size_t axis) { return (corner >> axis & 1) != 0 ? box.high[axis] : box.low[axis]; };
-    visit(Vector{side(0), side(1), side(2)});
-  }
-}
-
 /// Returns boxes in the joints' coordinates, for the joints that have vertices of this mesh; other boxes are empty.
 std::vector<SourceBox> boxes_of_joints(const SourceModel& source, const SourceMesh& mesh) {
-  std::vector<SourceBox> boxes(source.joints.size(), {kLowest, kHighest});
+  std::vector<SourceBox> boxes(source.joints.size());
   for (const SourceVertex& vertex : mesh.vertices) {
-    const Vector place = place_of(source, vertex);
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (k > 0 && vertex.weights[k] == 0) break;
-      const std::size_t joint = vertex.joints[k];
-      include(boxes[joint], source.joints[joint].inverse_bind * place);
-    }
+    for_each_place(source, vertex, [&](const Vector& place) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (k > 0 && vertex.weights[k] == 0) break;
+        const std::size_t joint = vertex.joints[k];
+        include(boxes[joint], source.joints[joint].inverse_bind * place);
+      }
+    });
   }
   return boxes;
 }
-
-bool is_empty(const SourceBox& box) { return box.low[0] > box.high[0]; }
 
 std::int16_t to_15_bits(double value) { return static_cast<std::int16_t>(std::lround(32767 * value)); }
 
@@ -107,8 +87,10 @@ std::vector<Affine> joint_places(const SourceModel& source, const NodeAnimation*
 }
 
 SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
-  SourceBox box{kLowest, kHighest};
-  for (const SourceVertex& vertex : mesh.vertices) include(box, place_of(source, vertex));
+  SourceBox box;
+  for (const SourceVertex& vertex : mesh.vertices) {
+    for_each_place(source, vertex, [&](const Vector& place) { include(box, place); });
+  }
   const std::vector<SourceBox> boxes = boxes_of_joints(source, mesh);
   const auto include_pose = [&](const NodeAnimation* animation, double seconds) {
     std::vector<Affine> places = joint_places(source, animation, seconds);

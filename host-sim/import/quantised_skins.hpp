@@ -5,14 +5,10 @@
 #include <vector>
 
 #include "import/model.hpp"
+#include "import/source_box.hpp"
 #include "import/source_model.hpp"
 
 namespace zstrip::sim {
-
-/// A box in the file's units.
-struct SourceBox {
-  std::array<double, 3> low{}, high{};
-};
 
 /// Returns the maps from all joints to the file's coordinates; `animation`: null at rest.
 std::vector<Affine> joint_places(const SourceModel& source, const NodeAnimation* animation, double seconds);

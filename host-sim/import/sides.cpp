@@ -14,10 +14,22 @@ bool is_shaded(const SourceMaterial& material) {
   return material.lit && material.colour != std::array<std::uint8_t, 3>{};
 }
 
-SourceMesh back_of(const SourceMesh& front) {
+/// Reverses normals and what morph targets add to them. `turned`: the reversed entries of SourceModel::morphs so far.
+SourceMesh back_of(const SourceMesh& front, SourceModel& model, std::map<std::uint32_t, std::uint32_t>& turned) {
   SourceMesh back = front;
+  const auto reverse = [](std::array<float, 3>& v) {
+    for (float& component : v) component = 0.0F - component;
+  };
   for (SourceVertex& vertex : back.vertices) {
-    for (float& component : vertex.normal) component = 0.0F - component;
+    reverse(vertex.normal);
+    if (vertex.morph == 0) continue;
+    const auto [at, is_new] = turned.try_emplace(vertex.morph, static_cast<std::uint32_t>(model.morphs.size() + 1));
+    if (is_new) {
+      std::vector<SourceMorphOffset> offsets = model.morphs[vertex.morph - 1];
+      for (SourceMorphOffset& offset : offsets) reverse(offset.normal);
+      model.morphs.push_back(std::move(offsets));
+    }
+    vertex.morph = at->second;
   }
   for (std::size_t i = 0; i + 2 < back.indices.size(); i += 3) std::swap(back.indices[i + 1], back.indices[i + 2]);
   return back;
@@ -27,6 +39,7 @@ SourceMesh back_of(const SourceMesh& front) {
 
 void split_sides(SourceModel& model, std::vector<Outside>& outsides) {
   std::map<std::uint32_t, std::uint32_t> single_sided;  // by material
+  std::map<std::uint32_t, std::uint32_t> turned;
   std::vector<SourceMesh> meshes;
   std::vector<Outside> seen;
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
@@ -44,7 +57,7 @@ void split_sides(SourceModel& model, std::vector<Outside>& outsides) {
       }
       mesh.material = at->second;
       // For blended surfaces the back is first, because it is behind.
-      meshes.push_back(back_of(mesh));
+      meshes.push_back(back_of(mesh, model, turned));
       seen.push_back({});
     }
     meshes.push_back(std::move(mesh));

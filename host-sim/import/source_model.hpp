@@ -21,9 +21,10 @@ struct SourceVertex {
   std::array<std::uint8_t, 4> colour{255, 255, 255, 255};
   std::array<std::uint8_t, 4> joints{};   ///< of a skin, as in VertexJoints
   std::array<std::uint8_t, 4> weights{};  ///< of a skin, as in VertexJoints
+  std::uint32_t morph = 0;                ///< 1 + index into SourceModel::morphs; 0: no morph target moves it
   friend bool operator==(const SourceVertex&, const SourceVertex&) = default;
 };
-static_assert(sizeof(SourceVertex) == 44);
+static_assert(sizeof(SourceVertex) == 48);
 
 struct SourceMesh {
   std::uint32_t material = 0;   ///< index into SourceModel::materials
@@ -31,7 +32,8 @@ struct SourceMesh {
                                 ///< at rest
   bool has_colours = false;
   bool has_texcoords = false;
-  bool has_skin = false;  ///< joints move it: vertices are as they were modelled
+  bool has_skin = false;    ///< joints move it: vertices are as they were modelled
+  bool has_morphs = false;  ///< morph targets move some of its vertices
   std::vector<SourceVertex> vertices;
   std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise seen from the front
 };
@@ -53,6 +55,18 @@ struct SourceJoint {
   std::int32_t node = kNoNode;          ///< index into SourceModel::nodes; none: no movement relative to the parent
   Affine inverse_bind;                  ///< from the modelled vertices to the joint's coordinates
   bool has_vertices = false;
+};
+
+/// The change of a vertex for a weight of 1 of a morph target.
+struct SourceMorphOffset {
+  std::uint32_t weight = 0;         ///< index into SourceModel::weights
+  std::array<float, 3> position{};  ///< added to SourceVertex::position
+  std::array<float, 3> normal{};    ///< added to SourceVertex::normal, before that is scaled to a length of 1
+};
+
+/// A weight that animations change. Weights count from the file's weights at rest, at which vertices are stored.
+struct SourceWeight {
+  double low = 0, high = 1;  ///< the values for which a mesh has room, of all animations and of 0 and 1 in the file
 };
 
 inline constexpr std::uint32_t kNoSourceTexture = 0xFFFFFFFF;
@@ -147,8 +161,10 @@ struct SourceModel {
   std::vector<std::string> texture_names;  ///< one for each texture, for messages
   std::vector<SourceLight> lights;
   std::vector<SourceCamera> cameras;
-  NodeTree nodes;                     ///< the moving nodes, all with an inverse at rest
-  std::vector<SourceJoint> joints;    ///< of all skins, at most 256
+  NodeTree nodes;                                      ///< the moving nodes, all with an inverse at rest
+  std::vector<SourceJoint> joints;                     ///< of all skins, at most 256
+  std::vector<std::vector<SourceMorphOffset>> morphs;  ///< of vertices; each has one offset at most for a weight
+  std::vector<SourceWeight> weights;
   std::vector<std::string> warnings;  ///< features that are missing in the picture, one line each
 };
 

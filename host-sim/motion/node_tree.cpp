@@ -6,14 +6,18 @@
 namespace zstrip::sim {
 namespace {
 
-Vector linear(const Vector& a, const Vector& b, double share) {
-  Vector result{};
-  for (std::size_t i = 0; i < 3; ++i) result[i] = a[i] + (b[i] - a[i]) * share;
+template <std::size_t count>
+std::array<double, count> linear(const std::array<double, count>& a, const std::array<double, count>& b, double share) {
+  std::array<double, count> result{};
+  for (std::size_t i = 0; i < count; ++i) result[i] = a[i] + (b[i] - a[i]) * share;
   return result;
 }
 Quaternion linear(const Quaternion& a, const Quaternion& b, double share) { return between(unit(a), unit(b), share); }
 
-Vector finished(const Vector& v) { return v; }
+template <std::size_t count>
+std::array<double, count> finished(const std::array<double, count>& v) {
+  return v;
+}
 Quaternion finished(const Quaternion& q) { return unit(q); }
 
 /// Hermite's cubic, as glTF 2.0 (appendix C) writes it.
@@ -64,6 +68,7 @@ Affine placed(const Node& node, const NodeCurves* curves, double seconds) {
 
 Vector sample(const Curve<Vector>& curve, double seconds) { return sample_any(curve, seconds); }
 Quaternion sample(const Curve<Quaternion>& curve, double seconds) { return sample_any(curve, seconds); }
+double sample(const Curve<std::array<double, 1>>& curve, double seconds) { return sample_any(curve, seconds)[0]; }
 
 Affine NodeTree::at_rest(std::int32_t node) const {
   Affine world;
@@ -101,6 +106,9 @@ std::set<double> key_times(const NodeAnimation& animation) {
     times.insert(curves.translation.times.begin(), curves.translation.times.end());
     times.insert(curves.rotation.times.begin(), curves.rotation.times.end());
     times.insert(curves.scale.times.begin(), curves.scale.times.end());
+  }
+  for (const WeightCurve& weight : animation.weights) {
+    times.insert(weight.curve.times.begin(), weight.curve.times.end());
   }
   return times;
 }

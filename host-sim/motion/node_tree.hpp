@@ -1,6 +1,7 @@
 // The nodes of a model that its animations move, with the file's structure.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -44,10 +45,17 @@ struct NodeCurves {
   Curve<Vector> scale;
 };
 
+/// The curve of one weight of morph targets.
+struct WeightCurve {
+  std::uint32_t weight = 0;  ///< index into SourceModel::weights
+  Curve<std::array<double, 1>> curve;
+};
+
 struct NodeAnimation {
   std::string name;     ///< may be empty
   double duration = 0;  ///< seconds, > 0
   std::vector<NodeCurves> moved;
+  std::vector<WeightCurve> weights{};  ///< at most one for each weight
 };
 
 struct NodeTree {
@@ -70,6 +78,7 @@ struct NodeTree {
 /// Returns the first value before the first time, and the last value after the last time. `curve` has values.
 Vector sample(const Curve<Vector>& curve, double seconds);
 Quaternion sample(const Curve<Quaternion>& curve, double seconds);
+double sample(const Curve<std::array<double, 1>>& curve, double seconds);
 
 /// Returns all times at which a curve of the animation has a value.
 std::set<double> key_times(const NodeAnimation& animation);

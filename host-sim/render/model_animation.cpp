@@ -93,6 +93,17 @@ Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimat
                        kAnimationTolerance / static_cast<double>(longest));
 }
 
+Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation) {
+  // Normals move, too: an error of a weight must not be seen in the light, either.
+  constexpr double kMaxError = 1.0 / 256, kMinError = 1.0 / 2048;
+  std::vector<double> tolerances;
+  for (const ModelWeight& weight : model.weights) {
+    const double together = weight.reach * static_cast<double>(animation.weights.size());
+    tolerances.push_back(together > 0 ? std::clamp(kAnimationTolerance / together, kMinError, kMaxError) : kMaxError);
+  }
+  return fit_weights(animation, tolerances);
+}
+
 std::vector<Instance> all_poses(const Animation& animation, std::span<const Instance> instances) {
   std::vector<Instance> all;
   const std::uint32_t poses = animation.tracks.empty() ? 1 : kPoses;

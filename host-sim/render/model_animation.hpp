@@ -7,6 +7,7 @@
 
 #include "import/model.hpp"
 #include "motion/fitted_animation.hpp"
+#include "motion/fitted_weights.hpp"
 #include "result.hpp"
 
 namespace zstrip::sim {
@@ -28,6 +29,9 @@ Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimat
 
 /// Converts the animation of the model's joints, which its tracks refer to. The failure's message starts with a verb.
 Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation);
+
+/// Converts the animation of the model's weights. The failure's message starts with a verb.
+Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation);
 
 /// Returns the instances at many times of the animation, one time after the other: all poses that a camera must show.
 /// Returns `instances` if there are no tracks.

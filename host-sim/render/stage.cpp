@@ -40,15 +40,17 @@ Result<Done> check(const Scene& scene, const std::string& name) {
                                                    name, message(status.error), status.needed)};
 }
 
+/// Completes a failure of an animation.
+Failure fitted_failure(const Failure& failure, const NodeAnimation& animation, const std::string& file) {
+  return {failure.status, fmt::format("'{}': the animation '{}' {}; choose another with --animation", file,
+                                      animation.name, failure.message)};
+}
+
 Result<ModelClip> fit_clip(const Model& model, const NodeAnimation& animation, const std::string& file) {
-  const auto named = [&](const Failure& failure) {
-    return Failure{failure.status, fmt::format("'{}': the animation '{}' {}; choose another with --animation", file,
-                                               animation.name, failure.message)};
-  };
   Result<FittedAnimation> instances = fit_model_animation(model, animation);
-  if (!instances) return named(instances.failure());
+  if (!instances) return fitted_failure(instances.failure(), animation, file);
   Result<FittedAnimation> joints = fit_joint_animation(model, animation);
-  if (!joints) return named(joints.failure());
+  if (!joints) return fitted_failure(joints.failure(), animation, file);
   return ModelClip{animation.name, std::move(*instances), std::move(*joints)};
 }
 
@@ -56,6 +58,7 @@ Result<ModelClip> fit_clip(const Model& model, const NodeAnimation& animation, c
 struct ModelMotion {
   ModelClip shown;
   bool is_chosen = false;
+  FittedWeights weights{};  ///< of morph targets
 };
 
 /// Returns the file's animation of this name, or its first one.
@@ -65,7 +68,9 @@ Result<ModelMotion> motion_of(const Model& model, const std::optional<std::strin
   if (*chosen == nullptr) return ModelMotion();
   Result<ModelClip> clip = fit_clip(model, **chosen, file);
   if (!clip) return clip.failure();
-  return ModelMotion{std::move(*clip), name.has_value()};
+  Result<FittedWeights> weights = fit_weight_animation(model, **chosen);
+  if (!weights) return fitted_failure(weights.failure(), **chosen, file);
+  return ModelMotion{std::move(*clip), name.has_value(), std::move(*weights)};
 }
 
 std::vector<std::string> names_of_built_in() {
@@ -134,7 +139,7 @@ class ModelStage : public CameraStage {
              const DefaultLook& look)
       : model_(std::move(model)),
         motion_(std::move(motion)),
-        skins_(*model_, motion_->shown.joints.view(), file),
+        skins_(*model_, motion_->shown.joints.view(), motion_->weights.view(), file),
         instances_(model_->instances),
         lines_(model_->lines),
         lights_(model_->lights),
@@ -165,7 +170,7 @@ class ModelStage : public CameraStage {
   Result<Camera> camera(std::uint32_t frames) const override {
     const double degrees = options().field_of_view.value_or(kDefaultFieldOfView);
     const std::vector<Instance> poses = all_poses(animation(), model_->instances);
-    SkinnedMeshes skins(*model_, motion_->shown.joints.view(), file_);
+    SkinnedMeshes skins(*model_, motion_->shown.joints.view(), motion_->weights.view(), file_);
     const Result<std::span<const Mesh>> posed = skins.all_poses();
     if (!posed) return posed.failure();
     Scene whole = scene_;
@@ -216,6 +221,7 @@ class ModelStage : public CameraStage {
     }
     return clips;
   }
+  WeightAnimation weight_animation() const override { return motion_->weights.view(); }
   Turn turn() const override { return bends() ? Turn{.what = Turning::nothing} : Turn{}; }
   Origins origins() const override {
     return {model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};
@@ -253,6 +259,7 @@ std::uint32_t milliseconds_of(const Stage& stage) {
   for (const Animation& animation : {stage.animation(), stage.joint_animation()}) {
     if (!animation.tracks.empty()) return animation.duration;
   }
+  if (const WeightAnimation weights = stage.weight_animation(); !weights.tracks.empty()) return weights.duration;
   return kTurn;
 }
 

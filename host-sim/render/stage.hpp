@@ -15,6 +15,7 @@
 #include "result.hpp"
 #include "zstrip/animation.hpp"
 #include "zstrip/camera.hpp"
+#include "zstrip/morph.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/turn.hpp"
@@ -50,6 +51,8 @@ class Stage {
   virtual Animation joint_animation() const { return {}; }
   /// Returns the animations that a blob keeps, those of a model file that move something: the chosen one, or all.
   virtual Result<std::vector<ModelClip>> clips() const { return std::vector<ModelClip>(); }
+  /// Returns the motion of the weights of model()'s morph targets, if they move. Valid as long as the stage.
+  virtual WeightAnimation weight_animation() const { return {}; }
   /// Returns the motion for scenes without an animation.
   virtual Turn turn() const = 0;
   /// Returns the places in the file that need effects, and the names of materials.

@@ -53,6 +53,7 @@ std::string flash_lines(const BakeRecord& record) {
   add(flash.texels, record.palettes.empty() ? "textures, RGB565" : "textures",
       known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
   add(flash.joints, "joints, and what each moves of a vertex", "");
+  add(flash.morphs, "morph targets", "");
   add(flash.keyframes, "keyframes of the animation", "");
   add(flash.tree, "tree of painter-bsp", counted(record.method.value_or(BakedMethodRecord{}).nodes, "node"));
   add(flash.tables, "tables of meshes, materials, textures, instances and lights, camera", "");
@@ -143,10 +144,13 @@ std::string bake_summary(const BakeRecord& record) {
                       shape(record.plan, record.view));
   text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view), method),
                       record.strip_buffers == 2 ? ", twice" : "");
-  if (record.skin_ram.vertices > 0) {
-    text += fmt::format("             and {} {}for the vertices that joints move, {} for the joints\n",
-                        counted(record.skin_ram.vertices, "byte"), record.lent_bytes ? "to lend " : "",
-                        grouped(record.skin_ram.joints));
+  if (const SkinRam& skin = record.skin_ram; skin.vertices > 0) {
+    const auto part = [](std::uint64_t bytes, const char* of) {
+      return bytes > 0 ? fmt::format(", {} for the {}", grouped(bytes), of) : std::string();
+    };
+    text += fmt::format("             and {} {}for the vertices that {} move{}{}\n", counted(skin.vertices, "byte"),
+                        record.lent_bytes ? "to lend " : "", skin.joints > 0 ? "joints" : "morph targets",
+                        part(skin.joints, "joints"), part(skin.weights, "weights of morph targets"));
   }
   if (record.method) {
     text += fmt::format("  visibility {}; {}\n", visibility_words(record.plan, method),
@@ -194,6 +198,7 @@ std::string bake_json(const BakeRecord& record) {
                    {"edges", flash.edges},
                    {"textures", flash.texels},
                    {"joints", flash.joints},
+                   {"morphs", flash.morphs},
                    {"keyframes", flash.keyframes},
                    {"tree", flash.tree},
                    {"tables", flash.tables},
@@ -259,6 +264,7 @@ std::string bake_json(const BakeRecord& record) {
   if (record.skin_ram.vertices > 0) {
     object["plan"]["ram_bytes"]["moved_vertices"] = record.skin_ram.vertices;
     object["plan"]["ram_bytes"]["joints"] = record.skin_ram.joints;
+    object["plan"]["ram_bytes"]["weights"] = record.skin_ram.weights;
   }
   if (record.lent_bytes) object["plan"]["ram_bytes"]["lent_tables"] = *record.lent_bytes;
   if (const auto& method = record.method) {

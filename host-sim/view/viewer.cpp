@@ -74,7 +74,7 @@ Result<Done> Viewer::reload() {
 
 bool Viewer::moves() const {
   const Stage& stage = drawer_->stage();
-  return frames_ > 1 && (!stage.animation().tracks.empty() || !stage.joint_animation().tracks.empty());
+  return frames_ > 1 && (!stage.animation().tracks.empty() || stage.bends());
 }
 
 void Viewer::step(std::int64_t frames) {

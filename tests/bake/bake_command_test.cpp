@@ -59,6 +59,25 @@ TEST_F(Bake, SkinsStandStillWithEdgesAndHaveNoOrderOfTriangles) {
   }
 }
 
+TEST_F(Bake, MorphTargetsMoveInHeadersAndStandStillInBlobs) {
+  const std::string cube = BAKE_MODELS "/morph_cube.gltf";
+  const Outcome blob = run(ZSTRIP_COMMAND, {"bake", cube, "-o", "cube.zsc", "--quiet"}, path(""));
+  EXPECT_EQ(blob.status, 0);
+  EXPECT_NE(blob.err.find("a blob has no morph targets"), std::string::npos) << blob.err;
+  EXPECT_EQ(crcs("cube.zsc", {}, 1), crcs(cube, {}, 1));
+  const Json baked = report({"bake", cube, "-o", "cube.hpp"});
+  // 24 vertices of 6 and 4 bytes, a meshlet of 20; two weights of 2. The first target has 24 offsets of positions, the
+  // second one as many of normals, too, of the faces that do not lean: 12 bytes for 8 vertices of the sides.
+  EXPECT_EQ(baked["plan"]["ram_bytes"]["moved_vertices"], 24 * 10 + 20);
+  EXPECT_EQ(baked["plan"]["ram_bytes"]["weights"], 4);
+  EXPECT_GT(baked["flash_bytes"]["morphs"], 2 * 24 * 6);
+  EXPECT_LT(baked["flash_bytes"]["morphs"], 2 * 24 * 6 + 24 * 3 + 60);
+  EXPECT_NE(read(path("cube.hpp")).find("pose_morphs(milliseconds)"), std::string::npos);
+  const Outcome refused =
+      run(ZSTRIP_COMMAND, {"bake", cube, "-o", "refused.hpp", "--quiet", "--visibility", "painter-bsp"}, path(""));
+  EXPECT_EQ(refused.status, 2) << refused.err;
+}
+
 // Its header named an effect that its scene does not have, and did not compile.
 TEST_F(Bake, ABuiltInSceneWhoseSkinMovesWhileItIsDrawnStandsStill) {
   for (const char* file : {"character.hpp", "character.zsc"}) {

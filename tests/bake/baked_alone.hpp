@@ -26,8 +26,8 @@ struct Header {
   zstrip::Effects effects;
   const zstrip::Budget& budget;
   const zstrip::Plan& plan;
-  const zstrip::Animation* joint_animation;                  ///< null without skins
-  zstrip::Status (*pose_skins)(std::uint32_t milliseconds);  ///< does nothing without
+  std::uint32_t moving_duration;  ///< of the animation of joints and weights; 0 without skins and morph targets
+  zstrip::Status (*pose)(std::uint32_t milliseconds);  ///< moves skins and morph targets; does nothing without
 };
 extern const Header header;
 

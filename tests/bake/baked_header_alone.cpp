@@ -12,18 +12,21 @@
 namespace baked_alone {
 
 #ifdef BAKED_SKINS
-constexpr const zstrip::Animation* kJoints = &baked::kJointAnimation;
-zstrip::Status pose_skins(std::uint32_t milliseconds) { return baked::pose_skins(milliseconds); }
+constexpr std::uint32_t kMovingDuration = baked::kJointAnimation.duration;
+zstrip::Status pose(std::uint32_t milliseconds) { return baked::pose_skins(milliseconds); }
+#elif defined(BAKED_MORPHS)
+constexpr std::uint32_t kMovingDuration = baked::kWeightAnimation.duration;
+zstrip::Status pose(std::uint32_t milliseconds) { return baked::pose_morphs(milliseconds); }
 #else
-constexpr const zstrip::Animation* kJoints = nullptr;
-zstrip::Status pose_skins(std::uint32_t /*milliseconds*/) { return {}; }
+constexpr std::uint32_t kMovingDuration = 0;
+zstrip::Status pose(std::uint32_t /*milliseconds*/) { return {}; }
 #endif
 
-constexpr Header header{baked::kScene,   baked::kAnimation, baked::kTurn, baked::kCamera, baked::kView,
-                        baked::kEffects, baked::kBudget,    baked::kPlan, kJoints,        pose_skins};
+constexpr Header header{baked::kScene,   baked::kAnimation, baked::kTurn, baked::kCamera,  baked::kView,
+                        baked::kEffects, baked::kBudget,    baked::kPlan, kMovingDuration, pose};
 
 zstrip::Status draw(std::span<std::byte> pixels, Send send) {
-  if (const zstrip::Status moved = pose_skins(0); !moved) return moved;
+  if (const zstrip::Status moved = pose(0); !moved) return moved;
   if (const zstrip::Status valid = validate(baked::kScene); !valid) return valid;
   return draw_moved(baked::kScene, baked::kCamera, pixels, send);
 }

@@ -40,7 +40,7 @@ class BakedHeader : public FolderTest {
   }
   /// For one strip, and not a byte more.
   std::span<std::byte> pixels() { return {pixels_.get(), header.plan.strip_pixel_bytes(header.view)}; }
-  bool turntable_ = !header.animation.tracks.empty() || header.joint_animation != nullptr ||
+  bool turntable_ = !header.animation.tracks.empty() || header.moving_duration != 0 ||
                     is_turntable(baked_from.options);  ///< it moves
 
  private:
@@ -73,8 +73,8 @@ TEST_F(BakedHeader, TurnsAsTheModelTurns) {
     } else if (!header.animation.tracks.empty()) {
       pose(header.animation, time_of_frame(header.animation, frame, 4), instances);
     }
-    if (header.joint_animation != nullptr) {
-      const Status moved = header.pose_skins(time_of_frame(*header.joint_animation, frame, 4));
+    if (header.moving_duration != 0) {
+      const Status moved = header.pose(time_of_frame(Animation{{}, {}, header.moving_duration}, frame, 4));
       ASSERT_TRUE(moved) << message(moved.error);
     }
     Scene scene = header.scene;

@@ -8,7 +8,9 @@ import {copyNeighbours, readGltf, whitened, withoutLight, writeGltf} from './glt
 import {kKeyDirection, kLights} from './lights.mjs';
 
 /** Cases whose light is looked at as the file says it; of assimp's files it is looked at with all white. */
-const kLit = /^(light-.*|no-material|nested|no-normals|sphere)$/;
+const kLit = /^(light-.*|morph-cube|morph-stress|no-material|nested|no-normals|sphere)$/;
+/** Cases whose light is looked at while they move, too. */
+const kLitMoving = /^morph-/;
 /** What glows or is lit fully: colours of a lit material. */
 const kBright = /^(emissive|facing-light)-/;
 /** The largest step of red and blue in RGB565; green has half of it. Texels are rounded to it, all else is cut. */
@@ -16,7 +18,7 @@ const kStep = 9;
 /** What blends is cut to RGB565 twice; colours are multiplied as the screen shows them, not in proportion to light. */
 const kTwoSteps = /-blend|-x-|^facing-light/;
 /** All others of the generated files are flat things, which are best seen from the front. */
-const kSolid = /^(sphere|nested|no-normals|light-|move-|texture-tilted)/;
+const kSolid = /^(sphere|nested|no-normals|light-|morph-cube|morph-stress|move-|texture-tilted)/;
 
 const kPoseTimes = [1 / 4, 2 / 4, 3 / 4];
 const kFromAside = [0.6, 0.5, 1];
@@ -102,6 +104,9 @@ function jobsOf(source, path, name) {
     const lit = generated ? path : copy('white', whitened);
     const lights = json.extensions?.KHR_lights_punctual ? kLights.own : kLights.none;
     if (lit) jobs.push(job('light', lit, {lambert: true, linear: true, lights}));
+    for (const time of lit && kLitMoving.test(name) ? kPoseTimes : []) {
+      jobs.push(job('light', lit, {lambert: true, linear: true, lights, time, id: `${name} light ${time}`}));
+    }
   }
   if (Array.isArray(json.animations) && json.animations.length > 0) {
     for (const time of kPoseTimes) jobs.push(job('pose', path, {time, id: `${name} pose ${time}`}));

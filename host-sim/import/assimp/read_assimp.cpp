@@ -209,7 +209,7 @@ Result<Done> Collector::add(const aiMesh& mesh, const Affine& transform) {
   to.has_colours =
       mesh.HasVertexColors(0) && std::ranges::any_of(std::span(mesh.mColors[0], mesh.mNumVertices), has_colour);
   to.has_texcoords = wants_texcoords && set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
-  to.morphs = mesh.mNumAnimMeshes > 0 && scene_.mNumAnimations > 0;
+  to.left_at_rest = mesh.mNumAnimMeshes > 0 && scene_.mNumAnimations > 0;
   to.mirrored = determinant(transform) < 0;
   const std::vector<aiMatrix4x4> at_rest = bones_at_rest(scene_, to_matrix(turn_), mesh, to_matrix(transform));
   const aiMatrix3x3 normal_transform = map_of_normals(to_matrix(transform));

@@ -1,4 +1,4 @@
-// Animations of a glTF file: curves of its nodes.
+// Animations of a glTF file: curves of its nodes and of weights of morph targets.
 #include "import/gltf/animations.hpp"
 
 #include <fmt/format.h>
@@ -48,11 +48,15 @@ void for_each_channel(const GltfJson& json, const Visit& visit) {
   }
 }
 
+Failure too_few_values() { return gltf_damaged("a sampler of an animation has too few values"); }
+
+bool is_usable(const GltfMorphs::Weight& weight) { return std::isfinite(weight[0]); }
 bool is_usable(const Vector& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 bool is_usable(const Quaternion& q) {
   const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
   return std::isfinite(square) && square > 1e-6;
 }
+bool is_finite(const GltfMorphs::Weight& weight) { return is_usable(weight); }
 bool is_finite(const Vector& v) { return is_usable(v); }
 bool is_finite(const Quaternion& q) {
   return std::isfinite(q[0]) && std::isfinite(q[1]) && std::isfinite(q[2]) && std::isfinite(q[3]);
@@ -65,39 +69,56 @@ Value value_at(const GltfValues<float>& values, std::size_t index) {
   return value;
 }
 
-/// Keys that are not numbers, or not later than the key before, are left out and counted.
-template <typename Value>
-Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessors, std::uint64_t& left_out) {
+/// The numbers of a sampler, before their type is known.
+struct Keys {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times;
+  GltfValues<float> values;
+
+  bool spline() const { return interpolation == Interpolation::cubic_spline; }
+  /// Returns the number of values of a key.
+  std::size_t each() const { return spline() ? 3 : 1; }
+};
+
+Result<Keys> read_keys(const GltfJson& sampler, GltfAccessors& accessors) {
   const std::optional<std::size_t> input = index_in(sampler, "input"), output = index_in(sampler, "output");
   if (!input || !output) return gltf_damaged("a sampler of an animation lacks its accessors");
-  const Result<GltfValues<float>> times = accessors.floats(*input);
+  Result<GltfValues<float>> times = accessors.floats(*input);
   if (!times) return times.failure();
-  const Result<GltfValues<float>> values = accessors.floats(*output);
+  Result<GltfValues<float>> values = accessors.floats(*output);
   if (!values) return values.failure();
   const std::string word = text_in(sampler, "interpolation");
   if (!word.empty() && word != "LINEAR" && word != "STEP" && word != "CUBICSPLINE") {
     return gltf_damaged("a sampler of an animation has an interpolation that does not exist");
   }
+  if (times->components != 1) return too_few_values();
+  Keys keys{.times = std::move(times->numbers), .values = std::move(*values)};
+  if (word == "STEP") keys.interpolation = Interpolation::step;
+  if (word == "CUBICSPLINE") keys.interpolation = Interpolation::cubic_spline;
+  return keys;
+}
+
+/// Keys that are not numbers, or not later than the key before, are left out and counted.
+template <typename Value>
+Result<Curve<Value>> curve_of(const Keys& keys, std::uint64_t& left_out) {
   Curve<Value> curve;
-  if (word == "STEP") curve.interpolation = Interpolation::step;
-  if (word == "CUBICSPLINE") curve.interpolation = Interpolation::cubic_spline;
-  const bool spline = curve.interpolation == Interpolation::cubic_spline;
-  const std::size_t keys = times->count(), each = spline ? 3 : 1;
-  if (times->components != 1 || values->components != Value{}.size() || values->count() < each * keys) {
-    return gltf_damaged("a sampler of an animation has too few values");
+  curve.interpolation = keys.interpolation;
+  const std::size_t each = keys.each();
+  if (keys.values.components != Value{}.size() || keys.values.count() < each * keys.times.size()) {
+    return too_few_values();
   }
-  for (std::size_t i = 0; i < keys; ++i) {
-    const double time = double{times->numbers[i]};
-    const Value value = value_at<Value>(*values, each * i + each / 2);
+  for (std::size_t i = 0; i < keys.times.size(); ++i) {
+    const double time = double{keys.times[i]};
+    const Value value = value_at<Value>(keys.values, each * i + each / 2);
     if (!std::isfinite(time) || !is_usable(value) || (!curve.times.empty() && time <= curve.times.back())) {
       ++left_out;
       continue;
     }
     curve.times.push_back(time);
     curve.values.push_back(value);
-    if (!spline) continue;
+    if (!keys.spline()) continue;
     const auto slope = [&](std::size_t at) {
-      const Value found = value_at<Value>(*values, at);
+      const Value found = value_at<Value>(keys.values, at);
       return is_finite(found) ? found : Value{};
     };
     curve.slopes_in.push_back(slope(3 * i));
@@ -109,14 +130,35 @@ Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessor
 template <typename Value>
 Result<Done> set_curve(const GltfJson& sampler, GltfAccessors& accessors, Curve<Value>& curve,
                        std::uint64_t& left_out) {
-  Result<Curve<Value>> read = read_curve<Value>(sampler, accessors, left_out);
+  const Result<Keys> keys = read_keys(sampler, accessors);
+  if (!keys) return keys.failure();
+  Result<Curve<Value>> read = curve_of<Value>(*keys, left_out);
   if (!read) return read.failure();
   curve = std::move(*read);
   return Done{};
 }
 
+/// Returns a curve for each of `targets` morph targets: each key has a value for every one of them.
+Result<std::vector<Curve<GltfMorphs::Weight>>> read_weights(const GltfJson& sampler, GltfAccessors& accessors,
+                                                            std::size_t targets, std::uint64_t& left_out) {
+  Result<Keys> keys = read_keys(sampler, accessors);
+  if (!keys) return keys.failure();
+  const GltfValues<float> all = std::move(keys->values);
+  const std::size_t values = keys->each() * keys->times.size();
+  if (all.components != 1 || all.count() / targets < values) return too_few_values();
+  std::vector<Curve<GltfMorphs::Weight>> curves;
+  for (std::size_t target = 0; target < targets; ++target) {
+    keys->values = {.components = 1, .numbers = {}};
+    for (std::size_t i = 0; i < values; ++i) keys->values.numbers.push_back(all.numbers[i * targets + target]);
+    Result<Curve<GltfMorphs::Weight>> curve = curve_of<GltfMorphs::Weight>(*keys, left_out);
+    if (!curve) return curve.failure();
+    curves.push_back(std::move(*curve));
+  }
+  return curves;
+}
+
 Result<NodeAnimation> read_animation(const GltfJson& from, GltfAccessors& accessors, const GltfNodes& nodes,
-                                     std::uint64_t& left_out) {
+                                     GltfMorphs& morphs, std::uint64_t& left_out) {
   NodeAnimation animation;
   animation.name = text_in(from, "name");
   std::map<std::size_t, NodeCurves> moved;
@@ -125,9 +167,18 @@ Result<NodeAnimation> read_animation(const GltfJson& from, GltfAccessors& access
     const std::optional<std::size_t> node = index_in(member(channel, "target"), "node");
     if (node && *node >= nodes.size()) return gltf_damaged("an animation moves a node that does not exist");
     const std::optional<Target> target = target_of(channel, nodes.size());
-    if (!target || nodes.mover_of(target->node) == kNoNode) continue;
+    if (!target) continue;
     const GltfJson& sampler =
         element(member(from, "samplers"), index_in(channel, "sampler").value_or(static_cast<std::size_t>(-1)));
+    const std::size_t targets = target->path == "weights" ? morphs.targets_of(target->node) : 0;
+    if (targets > 0) {
+      auto curves = read_weights(sampler, accessors, targets, left_out);
+      if (!curves) return curves.failure();
+      if (const Result<Done> added = morphs.add(target->node, std::move(*curves), animation); !added) {
+        return added.failure();
+      }
+    }
+    if (nodes.mover_of(target->node) == kNoNode) continue;
     Result<Done> done = Done{};
     if (target->path == "translation") done = set_curve(sampler, accessors, moved[target->node].translation, left_out);
     if (target->path == "rotation") done = set_curve(sampler, accessors, moved[target->node].rotation, left_out);
@@ -164,19 +215,13 @@ std::map<std::size_t, Vector> nodes_of_animations(const GltfJson& json, GltfAcce
   return nodes;
 }
 
-bool animations_morph(const GltfJson& json) {
-  bool found = false;
-  for_each_channel(
-      json, [&](const Target& target, const GltfJson& /*sampler*/) { found = found || target.path == "weights"; });
-  return found;
-}
-
 Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes,
-                                  SourceModel& model) {
+                                  GltfMorphs& morphs, SourceModel& model) {
   std::optional<NodeAnimation> pose;  // an animation of length 0; shown if there is no other one
   for (std::size_t i = 0; i < count_of(json, "animations"); ++i) {
     std::uint64_t left_out = 0;
-    Result<NodeAnimation> read = read_animation(element(member(json, "animations"), i), accessors, nodes, left_out);
+    Result<NodeAnimation> read =
+        read_animation(element(member(json, "animations"), i), accessors, nodes, morphs, left_out);
     if (!read) return read.failure();
     if (left_out > 0) {
       model.warnings.push_back(fmt::format("animation '{}': {} left out, no number or not later than the one before",
@@ -201,6 +246,7 @@ Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors
     pose->duration = kPoseDuration;
     model.nodes.animations.push_back(std::move(*pose));
   }
+  morphs.finish(model);
   return Done{};
 }
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "import/gltf/animations.hpp"
 #include "import/gltf/document.hpp"
 #include "import/screen_channel.hpp"
 #include "text/number.hpp"
@@ -57,11 +56,29 @@ std::array<float, 3> as_floats(const Vector& v) {
   return {static_cast<float>(v[0]) + 0.0F, static_cast<float>(v[1]) + 0.0F, static_cast<float>(v[2]) + 0.0F};
 }
 
-/// Returns a normal of length 1; zero if there is no direction.
-std::array<float, 3> turned_normal(const Affine& map, const float* normal) {
+/// Applies the map without its translation.
+Vector direction_by(const Affine& map, const float* direction) {
   Affine linear = map;
   for (auto& row : linear.m) row[3] = 0;
-  const Vector v = linear * Vector{double{normal[0]}, double{normal[1]}, double{normal[2]}};
+  return linear * Vector{double{direction[0]}, double{direction[1]}, double{direction[2]}};
+}
+
+/// Applies the map to an offset, and divides by `size`; zero if the result is not finite.
+std::array<float, 3> moved_by(const Affine& map, const std::array<float, 3>& offset, double size) {
+  const Vector v = direction_by(map, offset.data());
+  const std::array<float, 3> moved = as_floats({v[0] / size, v[1] / size, v[2] / size});
+  return std::isfinite(moved[0] + moved[1] + moved[2]) ? moved : std::array<float, 3>{};
+}
+
+double length_of_normal(const Affine& map, const float* normal) {
+  const Vector v = direction_by(map, normal);
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return std::isfinite(length) ? length : 0;
+}
+
+/// Returns a normal of length 1; zero if there is no direction.
+std::array<float, 3> turned_normal(const Affine& map, const float* normal) {
+  const Vector v = direction_by(map, normal);
   const double length = std::hypot(v[0], v[1], v[2]);
   if (!std::isfinite(length) || !(length > 1e-20)) return {};
   return as_floats({v[0] / length, v[1] / length, v[2] / length});
@@ -90,18 +107,18 @@ std::vector<std::uint32_t> as_segments(const std::vector<std::uint32_t>& from, M
 }  // namespace
 
 GltfPrimitives::GltfPrimitives(const GltfJson& json, GltfBuffers& buffers, GltfAccessors& accessors,
-                               const GltfNodes& nodes, const GltfMaterials& materials, Texcoords texcoords,
-                               SourceModel& model)
+                               const GltfNodes& nodes, const GltfMaterials& materials, const GltfMorphs& morphs,
+                               Texcoords texcoords, SourceModel& model)
     : json_(json),
       buffers_(buffers),
       accessors_(accessors),
       nodes_(nodes),
       materials_(materials),
+      morphs_(morphs),
       texcoords_(texcoords),
       model_(model),
       skins_(json, accessors, nodes, model),
-      groups_(model),
-      animations_morph_(animations_morph(json)) {}
+      groups_(model) {}
 
 Result<Done> GltfPrimitives::read_all() {
   for (const std::size_t node : nodes_.in_scene()) {
@@ -128,13 +145,17 @@ Result<Done> GltfPrimitives::read_all() {
     model_.warnings.push_back(
         fmt::format("{} drawn without a texture: they lack its texture coordinates", counted(no_texcoords_, "mesh")));
   }
+  if (bad_offsets_ > 0) {
+    model_.warnings.push_back(
+        fmt::format("{} of morph targets left out: not finite (NaN or infinite)", counted(bad_offsets_, "offset")));
+  }
   skins_.warn();
   return Done{};
 }
 
 Result<Done> GltfPrimitives::add_mesh(const GltfJson& mesh, std::size_t node, const Affine& copy) {
   for (std::size_t k = 0; k < count_of(mesh, "primitives"); ++k) {
-    Result<SourcePrimitive> read = read_primitive(mesh, element(member(mesh, "primitives"), k), node, copy);
+    Result<SourcePrimitive> read = read_primitive(element(member(mesh, "primitives"), k), node, copy);
     if (!read) return unreadable_model(read.failure().message);
     if (read->vertices.empty()) continue;
     if (const Result<Done> added = groups_.add(std::move(*read)); !added) return added.failure();
@@ -200,14 +221,10 @@ Result<GltfPrimitives::Vertices> GltfPrimitives::read_vertices(const GltfJson& p
   return read;
 }
 
-Result<Done> GltfPrimitives::add_morphs(const GltfJson& mesh, const GltfJson& primitive, std::size_t node,
-                                        Vertices& vertices) {
-  const GltfJson& own = member(element(member(json_, "nodes"), node), "weights");
-  const GltfJson& weights = own.is_array() ? own : member(mesh, "weights");
+Result<Done> GltfPrimitives::add_morphs(const GltfJson& primitive, std::size_t node, Vertices& vertices) {
   const GltfJson& targets = member(primitive, "targets");
   for (std::size_t k = 0; k < count_of(primitive, "targets"); ++k) {
-    const double weight = to_number(element(weights, k), 0);
-    if (weight == 0) continue;
+    const double weight = morphs_.at_rest(node, k);
     const auto add = [&](const char* name, GltfValues<float>& to) -> Result<Done> {
       const std::optional<std::size_t> accessor = index_in(element(targets, k), name);
       if (!accessor || to.count() == 0) return Done{};
@@ -221,10 +238,58 @@ Result<Done> GltfPrimitives::add_morphs(const GltfJson& mesh, const GltfJson& pr
       }
       return Done{};
     };
+    if (const std::optional<GltfMorphs::Moved> moved = morphs_.moved(node, k)) {
+      const Result<Done> done = add_moved_target(element(targets, k), *moved, vertices);
+      if (!done) return done.failure();
+    }
+    if (weight == 0) continue;
     if (const Result<Done> done = add("POSITION", vertices.positions); !done) return done.failure();
     if (const Result<Done> done = add("NORMAL", vertices.normals); !done) return done.failure();
   }
   return Done{};
+}
+
+Result<Done> GltfPrimitives::add_moved_target(const GltfJson& target, const GltfMorphs::Moved& moved,
+                                              Vertices& vertices) {
+  const std::size_t count = vertices.positions.count();
+  const auto read = [&](const char* name, const GltfValues<float>& base) -> Result<GltfValues<float>> {
+    const std::optional<std::size_t> accessor = index_in(target, name);
+    if (!accessor || base.count() == 0) return GltfValues<float>{};
+    return fitting_floats(accessors_, *accessor, name, count, 3);
+  };
+  const Result<GltfValues<float>> positions = read("POSITION", vertices.positions);
+  if (!positions) return positions.failure();
+  const Result<GltfValues<float>> normals = read("NORMAL", vertices.normals);
+  if (!normals) return normals.failure();
+  vertices.morphs.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    SourceMorphOffset offset{.weight = moved.weight};
+    const auto set = [&](const GltfValues<float>& from, std::array<float, 3>& to) {
+      if (from.count() == 0) return;
+      for (std::size_t c = 0; c < 3; ++c) to[c] = static_cast<float>(moved.scale * double{from.at(i)[c]}) + 0.0F;
+      if (std::isfinite(to[0]) && std::isfinite(to[1]) && std::isfinite(to[2])) return;
+      to = {};
+      ++bad_offsets_;
+    };
+    set(*positions, offset.position);
+    set(*normals, offset.normal);
+    constexpr std::array<float, 3> kNone{};
+    if (offset.position != kNone || offset.normal != kNone) vertices.morphs[i].push_back(offset);
+  }
+  return Done{};
+}
+
+std::uint32_t GltfPrimitives::morph_of(const std::vector<SourceMorphOffset>& offsets) {
+  std::vector<float> key;
+  for (const SourceMorphOffset& offset : offsets) {
+    key.push_back(static_cast<float>(offset.weight));
+    key.insert(key.end(), offset.position.begin(), offset.position.end());
+    key.insert(key.end(), offset.normal.begin(), offset.normal.end());
+  }
+  const auto [at, is_new] =
+      known_morphs_.try_emplace(std::move(key), static_cast<std::uint32_t>(model_.morphs.size() + 1));
+  if (is_new) model_.morphs.push_back(offsets);
+  return at->second;
 }
 
 /// An alpha that is common to all vertices becomes the material's.
@@ -263,8 +328,8 @@ void GltfPrimitives::set_opaque(SourcePrimitive& to) {
   to.material = at->second;
 }
 
-Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, const GltfJson& primitive,
-                                                       std::size_t node, const Affine& copy) {
+Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& primitive, std::size_t node,
+                                                       const Affine& copy) {
   const std::size_t number = index_in(primitive, "mode").value_or(4);
   if (number > 6) return gltf_damaged(fmt::format("a mesh has the mode {}", number));
   const auto mode = static_cast<Mode>(number);
@@ -272,7 +337,7 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
   if (!attributes) return attributes.failure();
   Result<Vertices> from = read_vertices(primitive, *attributes);
   if (!from) return from.failure();
-  if (const Result<Done> done = add_morphs(mesh, primitive, node, *from); !done) return done.failure();
+  if (const Result<Done> done = add_morphs(primitive, node, *from); !done) return done.failure();
   const std::size_t vertices = from->positions.count();
   const Result<std::vector<std::uint32_t>> indices = attributes->indices(vertices);
   if (!indices) return indices.failure();
@@ -295,7 +360,6 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
   const bool has_skin = to.has_skin || !skin->at_rest.empty();
   const Affine modelled = has_skin ? skin->modelled : skin->modelled * copy;
   to.mirrored = determinant(modelled) < 0;
-  to.morphs = animations_morph_ && count_of(primitive, "targets") > 0;
   const GltfTexcoords texcoords = materials_.texcoords_of(to.material);
   set_alpha(from->colours, to);
   set_opaque(to);
@@ -307,8 +371,16 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
     const Affine& place = at_rest ? skin->at_rest[i] : modelled;
     const float* const position = from->positions.at(i);
     to.positions.push_back(place * Vector{double{position[0]}, double{position[1]}, double{position[2]}});
-    if (from->normals.count() > 0) {
-      vertex.normal = turned_normal(at_rest ? map_of_normals(place) : normals_as_modelled, from->normals.at(i));
+    const Affine normal_place = at_rest && from->normals.count() > 0 ? map_of_normals(place) : normals_as_modelled;
+    if (from->normals.count() > 0) vertex.normal = turned_normal(normal_place, from->normals.at(i));
+    if (!from->morphs.empty() && !from->morphs[i].empty()) {
+      const double size = from->normals.count() > 0 ? length_of_normal(normal_place, from->normals.at(i)) : 0;
+      for (SourceMorphOffset& offset : from->morphs[i]) {
+        offset.position = moved_by(place, offset.position, 1);
+        offset.normal = size > 1e-20 ? moved_by(normal_place, offset.normal, size) : std::array<float, 3>{};
+      }
+      vertex.morph = morph_of(from->morphs[i]);
+      to.has_morphs = true;
     }
     if (to.has_colours) {
       const float* const colour = from->colours.at(i);

@@ -8,6 +8,7 @@
 #include "import/gltf/extensions.hpp"
 #include "import/gltf/lights_and_cameras.hpp"
 #include "import/gltf/materials.hpp"
+#include "import/gltf/morphs.hpp"
 #include "import/gltf/nodes.hpp"
 #include "import/gltf/primitives.hpp"
 #include "import/gltf/textures.hpp"
@@ -30,13 +31,14 @@ Result<SourceModel> read_gltf(const GltfDocument& document, const ReadUri& read_
   Result<GltfNodes> nodes = GltfNodes::read(json, turn);
   if (!nodes) return unreadable_model(nodes.failure().message);
   nodes->set_moved(nodes_of_animations(json, accessors), turn, model);
-  if (const Result<Done> read = read_gltf_animations(json, accessors, *nodes, model); !read) {
+  GltfMorphs morphs(json);
+  if (const Result<Done> read = read_gltf_animations(json, accessors, *nodes, morphs, model); !read) {
     return unreadable_model(read.failure().message);
   }
   GltfTextures textures(document, buffers, model);
   GltfMaterials materials(json, textures, shine, model);
   materials.read_all();
-  GltfPrimitives primitives(json, buffers, accessors, *nodes, materials, texcoords, model);
+  GltfPrimitives primitives(json, buffers, accessors, *nodes, materials, morphs, texcoords, model);
   if (const Result<Done> read = primitives.read_all(); !read) return read.failure();
   read_gltf_lights(json, *nodes, model);
   read_gltf_cameras(json, *nodes, model);
