@@ -8,7 +8,7 @@ namespace zstrip::detail {
 
 template <bool palettes, bool alpha>
 void fetch_bilinear(const RunTexels& texels, const RunPlace& place, std::uint32_t* colours, std::int32_t count) {
-  if constexpr (kHasThumb2) {
+  if constexpr (kHasThumb2 && !kForSize) {  // for size C++ takes a hundred bytes less
     BilinearRun run(texels, place, colours, count);
     if constexpr (alpha) {
       fetch_bilinear_alpha_thumb2(run);

@@ -258,6 +258,12 @@ void multiply_by_colours(const std::uint32_t* factors, std::uint32_t* colours, s
 }
 
 void write_lit(const RunLight& light, const std::uint32_t* colours, std::uint16_t* pixels, std::int32_t count) {
+  if constexpr (kForSize) {  // two calls instead of a stage of its own
+    RunColours lit;
+    for (std::int32_t i = 0; i < count; ++i) lit[i] = colours[i];
+    multiply_by_light(light, lit, count);
+    return write_packed(lit, pixels, count);
+  }
   std::uint32_t r = light.r, g = light.g, b = light.b;
   for (std::int32_t i = 0; i < count; ++i) {
     const std::uint32_t colour = colours[i];
