@@ -27,6 +27,29 @@ frames.forEach((name, frame) => {
   }
 });
 
+// Clips: at a frame's time they are that frame; in the middle of a fade they are neither clip.
+if (scene.clips.length > 1) {
+  const [first, second] = scene.clips;
+  const frame = scene.draw(1).slice();
+  scene.play(first.name);
+  assert.deepEqual(scene.advance(Math.floor(first.milliseconds / frames.length)), new Uint8ClampedArray(frame));
+  const alone = [100, 200].map((time) => {
+    scene.play(1);
+    return scene.advance(time).slice();
+  });
+  scene.play(0);
+  scene.play(second.name, { fade: 200, loops: false });
+  assert.notDeepEqual(scene.advance(100), alone[0]);
+  assert.deepEqual(scene.advance(100), alone[1]);
+  scene.advance(10 * second.milliseconds);
+  const end = scene.advance(0).slice();
+  assert.deepEqual(scene.advance(1234), end);
+  assert.throws(() => scene.play('nothing'), RangeError);
+  assert.throws(() => scene.play(scene.clips.length), RangeError);
+} else {
+  assert.throws(() => scene.advance(1), /no clips/);
+}
+
 const own = await zstrip.open(bytes);
 assert(own.width > 0 && own.height > 0 && own.draw(0).length === 4 * own.width * own.height);
 await assert.rejects(zstrip.open(bytes.subarray(0, 100)), /^Error: zstrip: .*damaged/);
