@@ -19,6 +19,7 @@ struct Origins {
   std::string fog;
   std::string shadow{};
   std::string csg{};
+  std::vector<std::string> instance_names{};  ///< of the file: "wheel", "train/wheel"; may be empty
 };
 
 struct FoundEffect {

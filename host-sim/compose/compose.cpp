@@ -285,6 +285,10 @@ class Composer {
                           .corners = corners_of(composed_->meshes[instance.mesh])});
     }
     composed_->instances.push_back(instance);
+    std::string name = placed.file->name.empty() ? placed.file->model : placed.file->name;
+    const std::int32_t node = placed.part->node;
+    if (node != kNoNode) name += "/" + placed.model->model->tree.nodes[static_cast<std::size_t>(node)].name;
+    composed_->instance_names.push_back(std::move(name));
     return Done{};
   }
 

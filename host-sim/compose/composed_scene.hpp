@@ -52,6 +52,7 @@ struct ComposedScene {
   std::vector<std::string> material_names;
   std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model of the material
   std::string fog_origin, shadow_origin, csg_origin;
+  std::vector<std::string> instance_names;  ///< of each instance: that of the file, or its model; and its node
   std::vector<std::string> warnings;
 
   std::deque<Model> models;

@@ -118,7 +118,8 @@ class ComposedStage : public CameraStage {
             own_projection ? origin_of(file_->path, file_->camera->projection_line) : std::string(),
             composed_->fog_origin,
             composed_->shadow_origin,
-            composed_->csg_origin};
+            composed_->csg_origin,
+            composed_->instance_names};
   }
 
  private:

@@ -38,7 +38,7 @@ Result<PickedPixel> pick_pixel(const Staging& staging, const Origins& origins, c
   const Status begun =
       renderer.begin_frame(staging.scene, staging.camera, view, planned.plan, std::as_writable_bytes(std::span(arena)));
   if (!begun) return Failure{ExitStatus::internal, std::string("--pick: ") + message(begun.error)};
-  PickedPixel pixel{place, {}, {}};
+  PickedPixel pixel{place, {}, {}, {}};
   const Status status = picker_for(effects)(renderer.frame(), place.x, place.y, pixel.picked);
   if (status.error == Error::csg) {
     return Failure{ExitStatus::usage, "--pick cannot say which solid of a product (csg) a pixel shows"};
@@ -47,16 +47,21 @@ Result<PickedPixel> pick_pixel(const Staging& staging, const Origins& origins, c
     return Failure{ExitStatus::usage, "--pick needs --depth-format z16 and no --perspective; leave them out"};
   }
   pixel.material = material_of(pixel.picked, staging.scene, origins);
+  const bool is_instance = pixel.picked.shown == Shown::instance || pixel.picked.shown == Shown::outline;
+  if (is_instance && pixel.picked.index < origins.instance_names.size()) {
+    pixel.name = origins.instance_names[pixel.picked.index];
+  }
   return pixel;
 }
 
 std::string words_of(const PickedPixel& pixel) {
   const Picked& picked = pixel.picked;
+  const std::string name = pixel.name.empty() ? "" : fmt::format(" ({})", printable(pixel.name));
   std::string words;
   switch (picked.shown) {
     case Shown::background: return "background";
-    case Shown::instance: words = fmt::format("instance {}, triangle {}", picked.index, picked.triangle); break;
-    case Shown::outline: words = fmt::format("outline of instance {}", picked.index); break;
+    case Shown::instance: words = fmt::format("instance {}{}, triangle {}", picked.index, name, picked.triangle); break;
+    case Shown::outline: words = fmt::format("outline of instance {}{}", picked.index, name); break;
     case Shown::quadric: words = fmt::format("quadric {}", picked.index); break;
     case Shown::line: words = fmt::format("line {} of set {}", picked.triangle, picked.index); break;
     case Shown::sprite: words = fmt::format("sprite {}", picked.index); break;

@@ -21,6 +21,7 @@ struct PickedPixel {
   PixelPlace place;
   Picked picked;
   std::string material;  ///< its name, where the file has names; else empty
+  std::string name;      ///< of the instance, likewise
 };
 
 /// Begins the frame again, in streamed strips, and picks in it. `added`: effects that neither scene nor view needs.
@@ -28,7 +29,7 @@ struct PickedPixel {
 Result<PickedPixel> pick_pixel(const Staging& staging, const Origins& origins, const View& view, Effects added,
                                PixelPlace place);
 
-/// Returns "instance 2, triangle 31, material gold, texture 0.250,0.500", or "background".
+/// Returns "instance 2 (wheel), triangle 31, material gold, texture 0.250,0.500", or "background".
 std::string words_of(const PickedPixel& pixel);
 
 }  // namespace zstrip::sim

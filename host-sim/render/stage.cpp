@@ -224,7 +224,11 @@ class ModelStage : public CameraStage {
   WeightAnimation weight_animation() const override { return motion_->weights.view(); }
   Turn turn() const override { return bends() ? Turn{.what = Turning::nothing} : Turn{}; }
   Origins origins() const override {
-    return {model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};
+    Origins origins{model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};
+    for (const std::int32_t node : model_->nodes) {
+      origins.instance_names.push_back(node == kNoNode ? "" : model_->tree.nodes[static_cast<std::size_t>(node)].name);
+    }
+    return origins;
   }
   const Model* model() const override { return model_.get(); }
 

@@ -22,6 +22,7 @@ Json picked_json(const PickedPixel& pixel) {
   if (picked.shown == Shown::background) return object;
   object["index"] = picked.index;
   if (picked.shown <= Shown::outline || picked.shown == Shown::line) object["triangle"] = picked.triangle;
+  if (!pixel.name.empty()) object["name"] = pixel.name;
   if (!pixel.material.empty()) object["material"] = pixel.material;
   if (picked.textured) object["texture"] = {picked.u / 65536.0, picked.v / 65536.0};
   return object;

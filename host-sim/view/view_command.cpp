@@ -37,7 +37,7 @@ Result<std::vector<Input>> parse_inputs(const std::string& words) {
   std::istringstream stream(words);
   for (std::string word; std::getline(stream, word, ',');) {
     const std::optional<Input> input = parse_input(word);
-    if (!input) return usage(fmt::format("--press '{}' is no key, drag=X:Y or wheel=N", word));
+    if (!input) return usage(fmt::format("--press '{}' is no key, drag=X:Y, click=X:Y or wheel=N", word));
     inputs.push_back(*input);
   }
   return inputs;
@@ -96,7 +96,8 @@ void add_view_command(CLI::App& app, int& exit_code) {
   command->add_flag("--no-watch", a.no_watch, "The scene is not read again when its files change");
   command
       ->add_option("--press", a.press,
-                   "Keys that are pressed at the beginning, for scripts: right,drag=40:0,wheel=2,s,q; nothing plays")
+                   "Keys that are pressed at the beginning, for scripts: right,drag=40:0,wheel=2,click=120:80,s,q; "
+                   "nothing plays")
       ->type_name("KEYS");
   command->footer(help_on_keys() +
                   "Examples:\n"

@@ -60,6 +60,8 @@ class ViewLoop {
  private:
   void take(const Input& input);
   void press(const std::string& key);
+  /// Says what is seen at a pixel of the window, on standard output and in the title.
+  void pick(const Input& click);
   Result<Done> draw();
   Result<Done> show();
   /// Requests a window for a picture enlarged by `scale`.
@@ -105,6 +107,7 @@ struct Key {
 };
 constexpr std::array kKeys{
     Key{"drag, wheel", "turn the scene, come closer or go away"},
+    Key{"click", "say which part and triangle is there"},
     Key{"c", "the scene's own camera"},
     Key{"Space", "play, stop; a scene without motion turns"},
     Key{"Right, Left", "the next frame, the one before"},
@@ -269,6 +272,21 @@ void ViewLoop::press(const std::string& key) {
   if (key == "r") reload();
 }
 
+void ViewLoop::pick(const Input& click) {
+  const std::optional<PicturePixel> pixel = pixel_at(
+      window_.size(), picture_size(), text(), static_cast<std::int64_t>(click.x), static_cast<std::int64_t>(click.y));
+  if (!pixel || keys_) return;
+  const Result<std::string> words =
+      viewer_.pick({static_cast<std::uint16_t>(pixel->x), static_cast<std::uint16_t>(pixel->y)});
+  if (!words) {
+    print_failure(words.failure());
+    return;
+  }
+  window_.set_title(fmt::format("zstrip: {}: {}", scene_, *words));
+  write_text(stdout, fmt::format("{},{}: {}\n", pixel->x, pixel->y, *words));
+  std::fflush(stdout);
+}
+
 void ViewLoop::reload() {
   WatchedFiles files(scene_);
   if (const Result<Done> loaded = viewer_.reload(); !loaded) {
@@ -286,6 +304,7 @@ void ViewLoop::take(const Input& input) {
       viewer_.turn(input.x * kDegreesOfPixel, input.y * kDegreesOfPixel);
       changed_ = true;
       break;
+    case Input::Kind::click: pick(input); break;
     case Input::Kind::wheel:
       viewer_.zoom(input.y);
       changed_ = true;

@@ -91,11 +91,30 @@ void Viewer::zoom(double steps) {
   orbiting_.distance = std::clamp(orbiting_.distance * std::pow(kZoomStep, -steps), kClosest, kFarthest);
 }
 
-Result<ViewedFrame> Viewer::draw(bool with_png) {
+Result<Staging> Viewer::placed() {
   Result<Staging> staging = drawer_->stage().place(frame_, frames_);
+  if (staging) staging->camera = orbited(staging->camera, orbiting_);
+  return staging;
+}
+
+Result<std::string> Viewer::pick(PixelPlace pixel) {
+  if (!lies_upright(drawing_->panel)) {
+    return Failure{ExitStatus::usage, "a click says what is there only on a panel that does not rotate its picture"};
+  }
+  const Result<Staging> staging = placed();
   if (!staging) return staging.failure();
-  orbiting_ = within_limits(staging->camera, orbiting_);
-  staging->camera = orbited(staging->camera, orbiting_);
+  const Result<PickedPixel> picked =
+      pick_pixel(*staging, drawer_->stage().origins(), drawing_->view, drawing_->effects(), pixel);
+  if (!picked) return picked.failure();
+  return words_of(*picked);
+}
+
+Result<ViewedFrame> Viewer::draw(bool with_png) {
+  const Result<Staging> at_rest = drawer_->stage().place(frame_, frames_);
+  if (!at_rest) return at_rest.failure();
+  orbiting_ = within_limits(at_rest->camera, orbiting_);
+  const Result<Staging> staging = placed();
+  if (!staging) return staging.failure();
   const Result<DrawnFrame> drawn = drawer_->draw(*staging, drawing_->visibility.show);
   if (!drawn) return drawn.failure();
   const SimulatedPanel* panel = drawer_->panel();

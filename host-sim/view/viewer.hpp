@@ -15,6 +15,7 @@
 #include "cli/drawing_arguments.hpp"
 #include "cli/scene_drawer.hpp"
 #include "image/rgb_image.hpp"
+#include "render/pick_pixel.hpp"
 #include "result.hpp"
 #include "view/look.hpp"
 #include "view/orbiting.hpp"
@@ -72,11 +73,17 @@ class Viewer {
   /// Returns the duration of the animation, or of a rotation.
   std::uint32_t milliseconds() const { return milliseconds_of(drawer_->stage()); }
 
+  /// Says what a pixel of the picture shows, in words: "instance 2 (wheel), triangle 31". Failures: those of `zstrip
+  /// render --pick`, and on a panel that rotates or mirrors its picture.
+  Result<std::string> pick(PixelPlace pixel);
+
   /// `with_png`: also the file, which takes as long as some pictures.
   Result<ViewedFrame> draw(bool with_png = true);
 
  private:
   explicit Viewer(const ViewRequest& request) : request_(request) {}
+  /// Returns the frame as the user's camera sees it.
+  Result<Staging> placed();
   std::vector<std::string> text(const ViewedFrame& viewed) const;
 
   ViewRequest request_;

@@ -19,6 +19,7 @@ namespace zstrip::sim {
 struct Window::Parts {
   std::string title;
   SDL_Window* window = nullptr;  // created when the first size is known
+  int moved = 0;                 // pixels of drags since the button was pressed
 };
 
 void Window::Close::operator()(Parts* parts) const {
@@ -29,6 +30,7 @@ void Window::Close::operator()(Parts* parts) const {
 
 namespace {
 
+constexpr int kSteady = 3;                     // pixels by which a hand moves in a click
 constexpr std::chrono::seconds kPatience{10};  // SDL and Xlib wait without limit for a desktop that does not answer
 
 Failure no_window(std::string_view why) {
@@ -66,8 +68,8 @@ std::string key_name(SDL_Keycode code, bool shifted) {
   return name;
 }
 
-/// Returns nothing for events that are not used.
-std::optional<Input> input_of(const SDL_Event& event) {
+/// Returns nothing for events that are not used. `moved`: see Window::Parts.
+std::optional<Input> input_of(const SDL_Event& event, int& moved) {
   switch (event.type) {
     case SDL_QUIT: return Input{.kind = Input::Kind::closed};
     case SDL_KEYDOWN:
@@ -75,9 +77,18 @@ std::optional<Input> input_of(const SDL_Event& event) {
                    .key = key_name(event.key.keysym.sym, (event.key.keysym.mod & KMOD_SHIFT) != 0)};
     case SDL_MOUSEMOTION:
       if ((event.motion.state & SDL_BUTTON_LMASK) == 0) return std::nullopt;
+      moved += std::abs(event.motion.xrel) + std::abs(event.motion.yrel);
       return Input{.kind = Input::Kind::drag,
                    .x = static_cast<double>(event.motion.xrel),
                    .y = static_cast<double>(event.motion.yrel)};
+    case SDL_MOUSEBUTTONDOWN:
+      if (event.button.button == SDL_BUTTON_LEFT) moved = 0;
+      return std::nullopt;
+    case SDL_MOUSEBUTTONUP:
+      if (event.button.button != SDL_BUTTON_LEFT || moved > kSteady) return std::nullopt;
+      return Input{.kind = Input::Kind::click,
+                   .x = static_cast<double>(event.button.x),
+                   .y = static_cast<double>(event.button.y)};
     case SDL_MOUSEWHEEL: return Input{.kind = Input::Kind::wheel, .y = static_cast<double>(event.wheel.y)};
     case SDL_WINDOWEVENT:
       if (event.window.event != SDL_WINDOWEVENT_EXPOSED && event.window.event != SDL_WINDOWEVENT_SIZE_CHANGED) {
@@ -113,10 +124,12 @@ std::optional<Input> parse_input(const std::string& word) {
     return Input{.kind = Input::Kind::wheel, .y = static_cast<double>(*steps)};
   }
   const std::size_t colon = value.find(':');
-  if (what != "drag" || colon == std::string_view::npos) return std::nullopt;
+  if ((what != "drag" && what != "click") || colon == std::string_view::npos) return std::nullopt;
   const std::optional<int> x = number(value.substr(0, colon)), y = number(value.substr(colon + 1));
   if (!x || !y) return std::nullopt;
-  return Input{.kind = Input::Kind::drag, .x = static_cast<double>(*x), .y = static_cast<double>(*y)};
+  return Input{.kind = what == "drag" ? Input::Kind::drag : Input::Kind::click,
+               .x = static_cast<double>(*x),
+               .y = static_cast<double>(*y)};
 }
 
 Result<Window> Window::open(const std::string& title) {
@@ -189,7 +202,7 @@ std::optional<Input> Window::wait(std::uint32_t milliseconds) {
   const std::uint64_t end = SDL_GetTicks64() + milliseconds;
   for (;;) {
     for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
-      if (std::optional<Input> input = input_of(event)) return input;
+      if (std::optional<Input> input = input_of(event, parts_->moved)) return input;
     }
     const std::uint64_t now = SDL_GetTicks64();
     if (now >= end) return std::nullopt;
@@ -211,6 +224,13 @@ void Window::inject(const Input& input) {
       event.type = SDL_MOUSEMOTION;
       event.motion.state = SDL_BUTTON_LMASK;
       event.motion.xrel = static_cast<int>(input.x), event.motion.yrel = static_cast<int>(input.y);
+      break;
+    case Input::Kind::click:
+      event.button.button = SDL_BUTTON_LEFT;
+      event.button.x = static_cast<int>(input.x), event.button.y = static_cast<int>(input.y);
+      event.type = SDL_MOUSEBUTTONDOWN;
+      SDL_PushEvent(&event);
+      event.type = SDL_MOUSEBUTTONUP;
       break;
     case Input::Kind::wheel:
       event.type = SDL_MOUSEWHEEL;

@@ -14,15 +14,15 @@ namespace zstrip::sim {
 
 /// An input event of the user.
 struct Input {
-  enum class Kind : std::uint8_t { key, drag, wheel, exposed, closed };
+  enum class Kind : std::uint8_t { key, drag, click, wheel, exposed, closed };
   Kind kind = Kind::exposed;
   std::string key{};  ///< name as in SDL, letters lower case, or upper case with the shift key: "w", "S", "Right",
                       ///< "Space"
-  double x = 0;       ///< for a drag: pixels to the right
-  double y = 0;       ///< for a drag: pixels downwards; for the wheel: steps away from the user
+  double x = 0;       ///< for a drag: pixels to the right; for a click without a drag: the window's pixel
+  double y = 0;       ///< the same downwards; for the wheel: steps away from the user
 };
 
-/// Parses "w", "right", "drag=40:-10", "wheel=2", as in --press. Returns nothing for other words.
+/// Parses "w", "right", "drag=40:-10", "click=120:80", "wheel=2", as in --press. Returns nothing for other words.
 std::optional<Input> parse_input(const std::string& word);
 
 /// To be used only by the thread that opened it.

@@ -115,6 +115,12 @@ struct Place {
   PictureScale scale;
 };
 
+Place place_in(const WindowSize& window, const WindowSize& picture, TextLines text) {
+  const PictureScale scale = scale_in(window, picture, text);
+  const std::uint32_t width = scaled(picture.width, scale), height = scaled(picture.height, scale);
+  return {(window.width - width) / 2, (window.height - text_height(text, window, picture.height) - height) / 2, scale};
+}
+
 /// Draws a border with a width of one window pixel at any scale, so that it hides little of the picture.
 void draw_border(RgbImage& window, const Rect& strip, const Place& place, const Rgb& colour) {
   const auto at = [&](std::int32_t value) {
@@ -149,11 +155,25 @@ PictureScale scale_in(const WindowSize& window, const WindowSize& picture, TextL
   return {.reduced = std::max(parts(picture.width, window.width), parts(picture.height, height))};
 }
 
+std::optional<PicturePixel> pixel_at(const WindowSize& window, const WindowSize& picture, TextLines text,
+                                     std::int64_t x, std::int64_t y) {
+  const Place place = place_in(window, picture, text);
+  const std::int64_t right = x - place.left, down = y - place.top;
+  if (right < 0 || down < 0 || right >= scaled(picture.width, place.scale) ||
+      down >= scaled(picture.height, place.scale)) {
+    return std::nullopt;
+  }
+  const auto unscaled = [&](std::int64_t at) {
+    return static_cast<std::uint32_t>(at) * place.scale.reduced / place.scale.enlarged;
+  };
+  return PicturePixel{unscaled(right), unscaled(down)};
+}
+
 RgbImage window_picture(const RgbImage& picture, const StripMarks& marks, TextLines text, const WindowSize& window) {
-  const PictureScale scale = scale_in(window, {picture.width, picture.height}, text);
+  const Place place = place_in(window, {picture.width, picture.height}, text);
+  const PictureScale& scale = place.scale;
   const std::uint32_t text_rows = text_height(text, window, picture.height);
   const std::uint32_t width = scaled(picture.width, scale), height = scaled(picture.height, scale);
-  const Place place{(window.width - width) / 2, (window.height - text_rows - height) / 2, scale};
   RgbImage pixels = black(window);
   for (std::uint32_t y = 0; y < height; ++y) {
     for (std::uint32_t x = 0; x < width; ++x) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -15,6 +16,12 @@ namespace zstrip::sim {
 struct WindowSize {
   std::uint32_t width = 1, height = 1;
   bool operator==(const WindowSize&) const = default;
+};
+
+/// A pixel, from the upper left corner of the picture.
+struct PicturePixel {
+  std::uint32_t x = 0, y = 0;
+  bool operator==(const PicturePixel&) const = default;
 };
 
 /// A pixel of the picture becomes a square of `enlarged` pixels; a square of `reduced` pixels becomes their mean.
@@ -37,6 +44,11 @@ WindowSize wanted_window(const WindowSize& picture, std::uint32_t scale, TextLin
 
 /// Returns the largest scale that fits in a window of this size, above the text.
 PictureScale scale_in(const WindowSize& window, const WindowSize& picture, TextLines text);
+
+/// Returns the pixel of the picture that is seen at a pixel of the window with this picture and text; nothing beside
+/// the picture. Of a reduced picture it is the first of several.
+std::optional<PicturePixel> pixel_at(const WindowSize& window, const WindowSize& picture, TextLines text,
+                                     std::int64_t x, std::int64_t y);
 
 /// Draws the picture in the middle of the space above the text. Lines are broken between words if the window is narrow.
 /// The text is left out if it would take more than half of a window that is too low for both.

@@ -1,7 +1,9 @@
 // The window, without a display: what it shows is what `zstrip render` writes.
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
+#include <utility>
 
 #include "command_fixture.hpp"
 #include "view/view_loop.hpp"
@@ -77,6 +79,37 @@ TEST_F(ViewCommand, KeysAndTheMouseChangeWhatIsSeenAndBack) {
   EXPECT_TRUE(shot(7) != shot(8));
   ASSERT_EQ(zstrip({"render", "teapot", "-o", "all.apng", "--frames", "5", "--size", "64x48", "--quiet"}).status, 0);
   EXPECT_TRUE(read(path("teapot-1.apng")) == read(path("all.apng")));
+}
+
+/// Without text the window has the picture's pixels.
+TEST_F(ViewCommand, AClickNamesThePartAndTriangleThatRenderPicks) {
+  const std::string train = std::string(ZSTRIP_SCENE_FILES) + "/gallery/train.toml";
+  for (const std::string& scene : {std::string("room"), train}) {
+    const std::vector<std::string> size{"--size", "320x240"};
+    std::vector<std::string> options = size;
+    options.insert(options.end(), {"--scale", "1", "--frames", "4"});
+    const Outcome clicked = view(scene, "t,click=160:150,right,click=100:140,click=400:3,q", options);
+    ASSERT_EQ(clicked.status, 0) << clicked.err;
+    EXPECT_EQ(clicked.err, "");
+    for (const auto& [frame, place] :
+         {std::pair{std::size_t{0}, std::string("160,150")}, {std::size_t{1}, std::string("100,140")}}) {
+      std::vector<std::string> rendered{"render", scene, "-o",     "frames/",     "--frames", "4",
+                                        "--pick", place, "--json", "picked.json", "--quiet"};
+      rendered.insert(rendered.end(), size.begin(), size.end());
+      ASSERT_EQ(zstrip(rendered).status, 0);
+      const auto picked = nlohmann::json::parse(read(path("picked.json"))).at("frames").at(frame).at("picked");
+      ASSERT_EQ(picked.at("shown"), "instance") << scene;
+      const std::string name = picked.contains("name") ? " (" + picked.at("name").get<std::string>() + ")" : "";
+      const std::string expected = place + ": instance " + std::to_string(picked.at("index").get<int>()) + name +
+                                   ", triangle " + std::to_string(picked.at("triangle").get<int>());
+      EXPECT_EQ(name.empty(), scene == "room");
+      // After them the material and the place in its texture, if it has any.
+      const std::size_t begin = clicked.out.find(place);
+      ASSERT_NE(begin, std::string::npos) << clicked.out;
+      EXPECT_EQ(clicked.out.substr(begin, expected.size()), expected);
+    }
+    EXPECT_EQ(std::ranges::count(clicked.out, '\n'), 2) << "a click beside the picture says nothing: " << clicked.out;
+  }
 }
 
 /// They wrote beyond pictures of one sample in rgb565, failed for methods that keep no depth, and stayed on.

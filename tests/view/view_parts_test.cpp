@@ -159,6 +159,29 @@ TEST(ViewWindowPicture, ItsWindowFitsTheRoomAndIsAsLargeAsAskedForWhereItCanBe) 
   EXPECT_EQ(scale_in(wanted_window({240, 240}, 3, text, {1024, 600}), {240, 240}, text).enlarged, 2U);
 }
 
+/// Every pixel of the window shows the picture's pixel that a click on it names, or none.
+TEST(ViewWindowPicture, AClickHitsThePixelThatIsSeenThere) {
+  RgbImage picture{.width = 5, .height = 3, .rgb = std::vector<std::uint8_t>(45)};
+  for (std::size_t i = 0; i < 15; ++i) picture.rgb[3 * i] = static_cast<std::uint8_t>(i + 1);
+  const std::vector<std::string> lines{"text"};
+  for (const WindowSize size : {WindowSize{23, 14}, {5, 3}, {60, 90}, {40, 31}}) {
+    const RgbImage window = window_picture(picture, {}, {}, size), with_text = window_picture(picture, {}, lines, size);
+    for (std::uint32_t y = 0; y < size.height; ++y) {
+      for (std::uint32_t x = 0; x < size.width; ++x) {
+        const auto pixel = pixel_at(size, {5, 3}, {}, x, y);
+        EXPECT_EQ(window.pixel(x, y)[0], pixel ? 5 * pixel->y + pixel->x + 1 : 0U) << x << ", " << y;
+        const auto below_text = pixel_at(size, {5, 3}, lines, x, y);
+        if (!below_text) continue;
+        EXPECT_EQ(with_text.pixel(x, y)[0], 5 * below_text->y + below_text->x + 1) << x << ", " << y;
+      }
+    }
+  }
+  EXPECT_EQ(pixel_at({10, 10}, {5, 3}, {}, -1, 3), std::nullopt);
+  EXPECT_EQ(pixel_at({10, 10}, {5, 3}, {}, 3, 10), std::nullopt);
+  // Of a picture that is reduced to a half, the first of two pixels.
+  EXPECT_EQ(pixel_at({50, 30}, {100, 60}, {}, 49, 29), (PicturePixel{98, 58}));
+}
+
 TEST(ViewWindowPicture, ThePageOfKeysIsWholeOnASmallScreen) {
   const std::vector<std::string> keys = view_keys();
   const std::uint64_t large = light(text_page(keys, 13, {4000, 400}), 0);
@@ -251,7 +274,13 @@ TEST(ViewInput, IsWrittenAsWords) {
   EXPECT_EQ(drag->y, -10);
   EXPECT_EQ(wheel->kind, Input::Kind::wheel);
   EXPECT_EQ(wheel->y, -2);
-  for (const char* const wrong : {"", "nokey", "drag=1", "drag=a:b", "wheel=", "wheel=1x", "drag=1:2:3", "pan=1:2"}) {
+  const std::optional<Input> click = parse_input("click=120:80");
+  ASSERT_TRUE(click);
+  EXPECT_EQ(click->kind, Input::Kind::click);
+  EXPECT_EQ(click->x, 120);
+  EXPECT_EQ(click->y, 80);
+  for (const char* const wrong :
+       {"", "nokey", "drag=1", "drag=a:b", "wheel=", "wheel=1x", "drag=1:2:3", "click=1", "click=a:1", "pan=1:2"}) {
     EXPECT_FALSE(parse_input(wrong)) << wrong;
   }
 }
