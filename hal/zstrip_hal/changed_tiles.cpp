@@ -15,6 +15,18 @@ std::uint32_t word_at(const std::byte* at) {
   return word;
 }
 
+/// `at` is aligned.
+void set_word(std::byte* at, std::uint32_t word) {
+  __builtin_memcpy(__builtin_assume_aligned(at, 4), &word, sizeof word);
+}
+
+/// Returns a prime near 2^32 by the golden ratio.
+std::uint32_t odd_factor() {
+  std::uint32_t factor = 0x9E3779B1U;
+  asm("" : "+r"(factor));  // GCC would replace the product by 15 shifts and sums where multipliers may be slow
+  return factor;
+}
+
 /// Both a rotation and a product with an odd number lose nothing. The rotation lets high bits reach low ones, which a
 /// product does not.
 std::uint32_t mixed(std::uint32_t hash, std::uint32_t word, std::uint32_t factor) {
@@ -25,16 +37,18 @@ std::uint32_t mixed(std::uint32_t hash, std::uint32_t word, std::uint32_t factor
 
 std::uint32_t hash_rows(std::uint32_t place, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
                         std::uint32_t rows) {
-  std::uint32_t factor = 0x9E3779B1U;  // a prime near 2^32 by the golden ratio
-  asm("" : "+r"(factor));  // GCC would replace the product by 15 shifts and sums where multipliers may be slow
+  const std::uint32_t factor = odd_factor();
   std::uint32_t hash = mixed(place, bytes << 16 | rows, factor);
   for (; rows > 0; --rows, pixels += stride) {
     const std::byte* at = pixels;
     const std::byte* const end = at + bytes;
     if (is_aligned(at)) {
-      // Two words a step: a step has a compare and a branch.
-      for (const std::byte* const pairs = at + bytes / 8 * 8; at != pairs; at += 8) {
-        hash = mixed(mixed(hash, word_at(at), factor), word_at(at + 4), factor);
+      // Four words a step: a step has a compare and a branch.
+      for (const std::byte* const fours = at + bytes / 16 * 16; at != fours; at += 16) {
+        const std::uint32_t first = word_at(at), second = word_at(at + 4);
+        const std::uint32_t third = word_at(at + 8), fourth = word_at(at + 12);
+        hash = mixed(mixed(hash, first, factor), second, factor);
+        hash = mixed(mixed(hash, third, factor), fourth, factor);
       }
     }
     for (; at != end; ++at) hash = mixed(hash, std::to_integer<std::uint32_t>(*at), factor);
@@ -46,9 +60,12 @@ void pack_rows(const std::byte* from, std::byte* to, std::uint32_t bytes, std::u
   for (; rows > 0; --rows, from += stride, to += bytes) {
     std::uint32_t at = 0;
     if (is_aligned(from) && is_aligned(to)) {
-      for (; at + 4 <= bytes; at += 4) {
-        const std::uint32_t word = word_at(from + at);
-        __builtin_memcpy(__builtin_assume_aligned(to + at, 4), &word, sizeof word);
+      // The rows may overlap, so all of a step is read before it is written.
+      for (; at + 16 <= bytes; at += 16) {
+        const std::uint32_t first = word_at(from + at), second = word_at(from + at + 4);
+        const std::uint32_t third = word_at(from + at + 8), fourth = word_at(from + at + 12);
+        set_word(to + at, first), set_word(to + at + 4, second);
+        set_word(to + at + 8, third), set_word(to + at + 12, fourth);
       }
     }
     for (; at < bytes; ++at) to[at] = from[at];
