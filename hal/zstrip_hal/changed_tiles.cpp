@@ -35,6 +35,12 @@ std::uint32_t mixed(std::uint32_t hash, std::uint32_t word, std::uint32_t factor
 
 }  // namespace
 
+std::uint32_t hash_strip(std::uint32_t fingerprint, std::uint32_t place, std::uint32_t size, std::uint32_t tile) {
+  std::uint32_t hash = fingerprint;
+  for (const std::uint32_t word : {place, size, tile}) hash = mixed(hash, word, odd_factor());
+  return hash == 0 ? 1 : hash;
+}
+
 std::uint32_t hash_rows(std::uint32_t place, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
                         std::uint32_t rows) {
   const std::uint32_t factor = odd_factor();

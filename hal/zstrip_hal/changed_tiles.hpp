@@ -1,7 +1,7 @@
 // A display that is sent only what changed: the tiles of each strip whose hash differs from that of the frame before.
 //
 // It serves where the bus is slower than the renderer, as SPI usually is. It needs no framebuffer: four bytes of RAM a
-// tile remember the picture.
+// tile remember the picture. Strips with fingerprints need not even be drawn.
 #pragma once
 
 #include <array>
@@ -30,6 +30,9 @@ namespace detail {
 std::uint32_t hash_rows(std::uint32_t place, const std::byte* pixels, std::uint32_t bytes, std::uint32_t stride,
                         std::uint32_t rows);
 
+/// Returns a hash of four words, never 0.
+std::uint32_t hash_strip(std::uint32_t fingerprint, std::uint32_t place, std::uint32_t size, std::uint32_t tile);
+
 /// Moves rows of `bytes` bytes to `to`, which begins before them or where they do: without gaps.
 void pack_rows(const std::byte* from, std::byte* to, std::uint32_t bytes, std::uint32_t stride, std::uint32_t rows);
 
@@ -37,11 +40,13 @@ void pack_rows(const std::byte* from, std::byte* to, std::uint32_t bytes, std::u
 
 /// Wraps a display: each write() sends the smallest rectangle that has all tiles that changed, or nothing. `tiles`: as
 /// many as changed_tiles() says; what lies beyond them is always sent. A strip with fewer than `tile_rows` rows has
-/// tiles of its height. Frames may write other areas than the frame before; then everything is sent.
+/// tiles of its height. Frames may write other areas than the frame before; then everything is sent. `strips`: the
+/// strips whose fingerprints it remembers, four bytes each; further ones are always drawn.
 ///
-/// A change of a tile is missed with a probability of 2^-32. After an error the next frame is sent whole. `panel` must
-/// outlive it, and must not be written to in another way without forget(). The same thread may use it as the panel.
-template <Display Panel, std::size_t tiles, std::uint16_t tile_rows = 16>
+/// A change of a tile is missed with a probability of 2^-32. After an error the next frame is drawn and sent whole.
+/// `panel` must outlive it, and must not be written to in another way without forget(). The same thread may use it as
+/// the panel.
+template <Display Panel, std::size_t tiles, std::uint16_t tile_rows = 16, std::size_t strips = 24>
 class ChangedTiles {
  public:
   /// The rows whose multiples are the borders of strips, as the panel needs them.
@@ -49,6 +54,9 @@ class ChangedTiles {
     if constexpr (requires { Panel::kRowStep; }) return Panel::kRowStep;
     return std::uint16_t{1};
   }();
+
+  /// The number of strips whose fingerprints are remembered.
+  static constexpr std::size_t kStrips = strips;
 
   /// Does not access the panel.
   explicit constexpr ChangedTiles(Panel& panel) : panel_(panel) {}
@@ -66,15 +74,29 @@ class ChangedTiles {
     forget();
     return panel_.start();
   }
-  /// Lets the next frame be sent whole: when the panel was started, lost its power or was drawn to in another way.
+  /// Lets the next frame be drawn and sent whole: when the panel was started, lost its power or was drawn to in another
+  /// way.
   void forget() {
     for (std::uint32_t& hash : hashes_) hash = kUnknown;
+    for (std::uint32_t& strip : strips_) strip = kUnknown;
+    fingerprint_ = kUnknown;
   }
 
   /// See the concept Display.
   Error begin_frame() {
     next_ = 0;
+    next_strip_ = 0;
+    fingerprint_ = kUnknown;
     return checked(panel_.begin_frame());
+  }
+  /// See the concept RemembersStrips. Otherwise the fingerprint is remembered with the write() that follows.
+  bool shows(const Area& area, std::uint32_t fingerprint) {
+    fingerprint_ = fingerprint;
+    if (fingerprint == kUnknown || next_strip_ >= strips) return false;
+    if (strips_[next_strip_] != strip_of(area, fingerprint)) return false;
+    next_ += tiles_of(area);
+    ++next_strip_;
+    return true;
   }
   /// See the concept Display. Moves the pixels that it sends to the front of `pixels`.
   Error write(const Area& area, std::span<std::byte> pixels) {
@@ -82,6 +104,9 @@ class ChangedTiles {
     if (!contains(width(), height(), area) || pixels.size() < std::size_t{stride} * area.height) {
       return checked(panel_.write(area, pixels));  // the panel names the error
     }
+    if (next_strip_ < strips) strips_[next_strip_] = strip_of(area, fingerprint_);
+    ++next_strip_;
+    fingerprint_ = kUnknown;
     const Area changed = changed_part(area, pixels.data(), stride);
     if (changed.width == 0) return Error::none;
     pixels = pixels.subspan(std::size_t{stride} * (changed.top - area.top));
@@ -98,6 +123,7 @@ class ChangedTiles {
   Error end_frame() {
     // Areas that this frame did not write may have been covered by others.
     for (std::size_t i = next_; i < tiles; ++i) hashes_[i] = kUnknown;
+    for (std::size_t i = next_strip_; i < strips; ++i) strips_[i] = kUnknown;
     return checked(panel_.end_frame());
   }
 
@@ -108,6 +134,16 @@ class ChangedTiles {
   Error checked(Error error) {
     if (error != Error::none) forget();
     return error;
+  }
+
+  static constexpr std::uint32_t tiles_of(const Area& area) {
+    return (area.width + kTileColumns - 1U) / kTileColumns * ((area.height + tile_rows - 1U) / tile_rows);
+  }
+  /// Returns what is remembered of the next strip: its fingerprint, its area and its first tile in one hash.
+  std::uint32_t strip_of(const Area& area, std::uint32_t fingerprint) const {
+    if (fingerprint == kUnknown) return kUnknown;
+    return detail::hash_strip(fingerprint, std::uint32_t{area.left} << 16 | area.top,
+                              std::uint32_t{area.width} << 16 | area.height, static_cast<std::uint32_t>(next_));
   }
 
   /// Remembers the hashes of an area; returns the smallest part of it that has all tiles that changed, or one without
@@ -138,8 +174,11 @@ class ChangedTiles {
   }
 
   Panel& panel_;
-  std::size_t next_ = 0;  // the tile that the next write begins with
+  std::size_t next_ = 0;                  // the tile that the next write begins with
+  std::size_t next_strip_ = 0;            // the number of writes and of strips left out in this frame
+  std::uint32_t fingerprint_ = kUnknown;  // of the next write
   std::array<std::uint32_t, tiles> hashes_{};
+  std::array<std::uint32_t, strips> strips_{};  // strip_of each strip of the last frame
 };
 
 }  // namespace zstrip::hal

@@ -1,6 +1,7 @@
 // The one loop that hands strips of pixels to a display. Firmware and host programs share it.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +17,21 @@ namespace zstrip::hal {
 template <class T>
 concept StripRenderer = requires(T& renderer, std::uint16_t strip, std::span<std::byte> pixels) {
   static_cast<bool>(renderer.draw_strip(strip, pixels));
+};
+
+/// A renderer that may know that it would draw a strip as in a frame before, without drawing it: fingerprint(strip)
+/// is equal only if the pixels are; 0 says nothing.
+template <class T>
+concept HasFingerprints = requires(const T& renderer, std::uint16_t strip) {
+  { renderer.fingerprint(strip) } -> std::same_as<std::uint32_t>;
+};
+/// A display that remembers fingerprints: shows(area, fingerprint) is true if it shows the strip with this fingerprint
+/// in this area, and so needs neither its pixels nor a write(). Call it once for each strip, before its write(). It
+/// remembers at most kStrips strips of a frame.
+template <class T>
+concept RemembersStrips = requires(T& display, const Area& area, std::uint32_t fingerprint) {
+  { T::kStrips } -> std::convertible_to<std::size_t>;
+  { display.shows(area, fingerprint) } -> std::same_as<bool>;
 };
 
 /// `count` strips of `rows` rows and `columns` pixels, from the left to the right of the display, then from its top to
@@ -80,8 +96,9 @@ struct [[nodiscard]] PresentResult {
   constexpr explicit operator bool() const { return static_cast<bool>(draw) && display == Error::none; }
 };
 
-/// Draws all strips of the frame that `renderer` has begun, in order, and writes them to `display`. When it returns,
-/// also with an error, the buffers are free and the display's frame has ended.
+/// Draws all strips of the frame that `renderer` has begun, in order, and writes them to `display`. Strips are left out
+/// that a renderer with fingerprints would draw as the display shows them. When it returns, also with an error, the
+/// buffers are free and the display's frame has ended.
 /// Display errors that present() itself returns: strip_layout, pixels_too_small.
 template <StripRenderer Renderer, Display Panel>
 auto present(Renderer& renderer, Panel& display, const StripLayout& layout, const StripBuffers& buffers) {
@@ -106,13 +123,16 @@ auto present(Renderer& renderer, Panel& display, const StripLayout& layout, cons
   std::span<std::byte> sending = alternate ? buffers.second : buffers.first;
   for (std::uint16_t strip = 0; result && strip < layout.count; ++strip) {
     result.strip = strip;
+    const Area area = areas.area(strip);
+    if constexpr (HasFingerprints<Renderer> && RemembersStrips<Panel>) {
+      if (display.shows(area, renderer.fingerprint(strip))) continue;
+    }
     if (!alternate) result.display = display.wait();
     if (!result) break;
     result.draw = renderer.draw_strip(strip, drawing);
     if (!result) break;
     result.display = display.wait();
     if (!result) break;
-    const Area area = areas.area(strip);
     result.display = display.write(area, drawing.first(area.height * bytes_per_row(area.width, display.format())));
     std::swap(drawing, sending);
   }

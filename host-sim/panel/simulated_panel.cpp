@@ -243,13 +243,14 @@ class ChangesPanel final : public SimulatedPanel {
   hal::Error write(const hal::Area& area, std::span<std::byte> pixels) override { return changes_.write(area, pixels); }
   hal::Error wait() override { return changes_.wait(); }
   hal::Error end_frame() override { return changes_.end_frame(); }
+  bool shows(const hal::Area& area, std::uint32_t fingerprint) override { return changes_.shows(area, fingerprint); }
 
   const PanelModel& model() const override { return panel_->model(); }
   const ModelBus& bus() const override { return panel_->bus(); }
 
  private:
   std::unique_ptr<SimulatedPanel> panel_;
-  hal::ChangedTiles<SimulatedPanel, 16384> changes_;
+  hal::ChangedTiles<SimulatedPanel, 16384, 16, kStrips> changes_;
 };
 
 }  // namespace

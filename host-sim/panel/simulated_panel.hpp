@@ -1,6 +1,7 @@
 // A complete panel: the driver of hal, a bus with a speed, and the model with the visible picture.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -68,6 +69,9 @@ class SimulatedPanel {
   virtual hal::Error write(const hal::Area& area, std::span<std::byte> pixels) = 0;
   virtual hal::Error wait() = 0;
   virtual hal::Error end_frame() = 0;
+  /// Remembers strips only with PanelRequest::changes (zstrip_hal/present.hpp).
+  virtual bool shows(const hal::Area& /*area*/, std::uint32_t /*fingerprint*/) { return false; }
+  static constexpr std::size_t kStrips = 256;
 
   virtual const PanelModel& model() const = 0;
   virtual const ModelBus& bus() const = 0;

@@ -1,6 +1,7 @@
 // Two displays that get the same strips: the picture in memory, and a panel.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -9,6 +10,7 @@
 namespace zstrip::sim {
 
 /// Both have the same size and format. Returns the first error of either. Both refer to displays that outlive the pair.
+/// The first one keeps all pixels that the second one remembers.
 template <hal::Display First, hal::Display Second>
 class DisplayPair {
  public:
@@ -22,6 +24,8 @@ class DisplayPair {
   hal::Error write(const hal::Area& area, std::span<std::byte> pixels) {
     return either(first_.write(area, pixels), second_.write(area, pixels));
   }
+  static constexpr std::size_t kStrips = Second::kStrips;
+  bool shows(const hal::Area& area, std::uint32_t fingerprint) { return second_.shows(area, fingerprint); }
   hal::Error wait() { return either(first_.wait(), second_.wait()); }
   hal::Error end_frame() { return either(first_.end_frame(), second_.end_frame()); }
 

@@ -13,6 +13,7 @@
 #include "text/number.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/prepared_scene.hpp"
+#include "zstrip/fingerprints.hpp"
 #include "zstrip/renderer.hpp"
 #include "zstrip_hal/present.hpp"
 
@@ -53,6 +54,16 @@ Failure too_little_memory(const Status& status, const Scene& scene, const View& 
                       counted(budget.bytes, "byte"), counted(status.needed, "byte"), name(status.purpose),
                       counted(status.needed - status.available, "byte"), advice)};
 }
+
+/// Counts the strips that a panel does not know yet.
+struct CountedFrame : FingerprintedFrame<AnyRenderer, SimulatedPanel::kStrips> {
+  using FingerprintedFrame::FingerprintedFrame;
+  std::uint32_t drawn = 0;
+  Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    ++drawn;
+    return FingerprintedFrame::draw_strip(strip, pixels);
+  }
+};
 
 /// Adds the statistics of a thread since begin_frame.
 void add(Statistics& sum, const Statistics& all, const Statistics& after_begin) {
@@ -117,7 +128,13 @@ Result<Done> FrameRenderer::draw(const Staging& staging, const Effects& effects,
   const auto shown = [&] {
     if (panel_ == nullptr) return hal::present(renderer, display_, layout, {strip, {}});
     DisplayPair both(display_, *panel_);
-    return hal::present(renderer, both, layout, {strip, at_least(memory_[0].second_strip, report.strip_pixel_bytes)});
+    const hal::StripBuffers buffers{strip, at_least(memory_[0].second_strip, report.strip_pixel_bytes)};
+    // A method may keep something for the next frame.
+    if (method_.methods != 0) return hal::present(renderer, both, layout, buffers);
+    CountedFrame frame(renderer, staging.camera, staging.version);
+    const auto result = hal::present(frame, both, layout, buffers);
+    report.drawn_strips = frame.drawn;
+    return result;
   }();
   if (!shown.draw) return frame_refused("a strip cannot be drawn", shown.draw);
   if (shown.display != hal::Error::none) return Failure{ExitStatus::internal, hal::message(shown.display)};
@@ -177,6 +194,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& pl
   report.plan = plan;
   report.method = method_;
   report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);
+  report.drawn_strips = plan.strips;
 
   const auto start = std::chrono::steady_clock::now();
   // Renderers that move a skin write into its Skinning.

@@ -23,6 +23,7 @@ struct FrameReport {
   Plan plan;
   Mode mode = Mode::streamed;  ///< the mode in which it was drawn: not the planned mode if its bins overflowed
   std::uint32_t strip_pixel_bytes = 0;
+  std::uint32_t drawn_strips = 0;  ///< fewer than the plan's if the panel knows the others
   Statistics statistics;
   Effects method;                   ///< the visibility method; empty: the z-buffer
   VisibilityStatistics visibility;  ///< only with a method

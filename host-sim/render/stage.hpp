@@ -27,8 +27,9 @@ namespace zstrip::sim {
 struct Staging {
   Scene scene;
   Camera camera;
-  BspTree tree{};          ///< for method::bsp, if one was baked for the scene
-  std::size_t splits = 0;  ///< triangles that were split for the tree
+  BspTree tree{};             ///< for method::bsp, if one was baked for the scene
+  std::size_t splits = 0;     ///< triangles that were split for the tree
+  std::uint32_t version = 0;  ///< differs if the contents of a mesh's tables may differ (zstrip/fingerprints.hpp)
 };
 
 class Stage {

@@ -56,7 +56,10 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
     if (statistics.work.of[kind] != 0)
       object["statistics"]["work"][std::string(kWorkNames[kind])] = statistics.work.of[kind];
   }
-  if (has_panel) object["bus"] = {{"bytes", frame.bus.bytes}, {"time_ns", frame.bus.nanoseconds}};
+  if (has_panel) {
+    object["bus"] = {{"bytes", frame.bus.bytes}, {"time_ns", frame.bus.nanoseconds}};
+    object["drawn_strips"] = report.drawn_strips;
+  }
   if (frame.wrong) object["wrong_pixels"] = *frame.wrong;
   if (frame.heat) object["accuracy"] = heat_json(*frame.heat);
   if (frame.picked) object["picked"] = picked_json(*frame.picked);

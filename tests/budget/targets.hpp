@@ -32,6 +32,7 @@ struct Target {
   std::uint16_t strip_rows = 0;     ///< of the program's plan; 0: as its budget or its report says
   std::uint16_t strip_columns = 0;  ///< likewise
   int serial_port = 0;              ///< that is the console
+  bool binned = false;              ///< its plan keeps vertices and lists of triangles
 };
 
 /// Every program that draws a scene, with every scene that it draws.

@@ -83,7 +83,9 @@ Plan plan_of(const Target& target, const BoardRun& run, std::uint32_t arena) {
     budget = {.strip_rows = static_cast<std::uint16_t>(run.strip_rows),
               .strip_columns = static_cast<std::uint16_t>(run.strip_columns)};
   }
-  const PlanResult result = plan(counts_of(target), target.view, effects_of(target), budget);
+  if (target.binned) budget.modes = Modes::binned;
+  const Effects effects = effects_of(target) | (target.binned ? effect::bins : Effects{});
+  const PlanResult result = plan(counts_of(target), target.view, effects, budget);
   if (!result.status || (arena != 0 && result.plan.bytes() != arena)) {
     throw std::runtime_error("the board's arena has " + std::to_string(arena) + " bytes, the host plans " +
                              std::to_string(result.plan.bytes()));

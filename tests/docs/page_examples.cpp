@@ -9,6 +9,7 @@
 #include "bench/board_model.hpp"
 #include "scene.hpp"
 #include "zstrip/area.hpp"
+#include "zstrip/fingerprints.hpp"
 #include "zstrip/zstrip.hpp"
 #include "zstrip_hal/changed_tiles.hpp"
 #include "zstrip_hal/message_screen.hpp"
@@ -163,6 +164,18 @@ void only_changes(adapters::TftEspi& panel, zstrip::Player& player) {
   using Panel = adapters::TftEspi;
   // docs/displays.md: Send only what changed
 }
+
+namespace known {
+zstrip::Renderer<baked::kEffects> renderer;
+std::array<std::byte, baked::kPlan.bytes()> arena;
+std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> first_pixels, second_pixels;
+
+void drawn(adapters::TftEspi& panel, const zstrip::Scene& scene, const zstrip::Camera& camera) {
+  constexpr zstrip::hal::StripLayout kLayout{baked::kPlan.strips, baked::kPlan.strip_rows, baked::kPlan.strip_columns};
+  zstrip::hal::ChangedTiles<adapters::TftEspi, 100> changes(panel);
+  // docs/displays.md: Strips that are not drawn
+}
+}  // namespace known
 
 void without_a_console() {
   // docs/displays.md: Without a console

@@ -48,9 +48,12 @@ constexpr Case kCases[] = {
 const std::filesystem::path kFile = ZSTRIP_MEASURED "/changes.csv";
 
 measured::Table format() {
-  return {
-      .part = "changes",
-      .columns = {{"scene"}, {"bytes_whole", measured::kExact}, {"bytes_changed", measured::Tolerance{.share = 0.01}}}};
+  return {.part = "changes",
+          .columns = {{"scene"},
+                      {"bytes_whole", measured::kExact},
+                      {"bytes_changed", measured::Tolerance{.share = 0.01}},
+                      {"strips", measured::kExact},
+                      {"strips_drawn", measured::Tolerance{.at_least = 0.1}}}};
 }
 
 template <class T>
@@ -75,15 +78,21 @@ measured::Row row_of(const Case& of) {
   sim::FrameRenderer renderer(view, {.strip_rows = kRows});
   renderer.show_on(*panel);
   std::uint64_t whole = 0, before = panel->bus().bytes();
+  std::uint32_t strips = 0, drawn = 0;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
-    (void)value_of(renderer.render(value_of(stage->place(frame, kFrames))));
+    const sim::FrameReport report = value_of(renderer.render(value_of(stage->place(frame, kFrames))));
     if (frame == 0) {
       whole = panel->bus().bytes() - before;
       before = panel->bus().bytes();
+      strips = report.plan.strips;
+    } else {
+      drawn += report.drawn_strips;
     }
   }
   const std::uint64_t changed = (panel->bus().bytes() - before) / (kFrames - 1);
-  return {of.name, std::to_string(whole), std::to_string(changed)};
+  char mean[16];
+  std::snprintf(mean, sizeof mean, "%.1f", drawn / double{kFrames - 1});
+  return {of.name, std::to_string(whole), std::to_string(changed), std::to_string(strips), mean};
 }
 
 /// What is wrong with the share of a row.
@@ -102,10 +111,11 @@ Written by `tests/measure changes`; [changes.csv](changes.csv) has the same figu
 240x240 pixels, commands included, in strips of 16 rows: the mean of the frames 1 to 63 of 64 that show the scene's
 motion. `ChangedTiles` [sends only what changed](../displays.md#send-only-what-changed). The rectangle is the smallest
 one that has all changed pixels of a frame, in the mean; a test allows 1.2 times its share. Milliseconds are those of
-SPI at 12.5 MHz.
+SPI at 12.5 MHz. A strip in which nothing can have changed
+[is not drawn](../displays.md#strips-that-are-not-drawn).
 
-| Scene | Whole frame | ms | Only what changed | ms | Share | Rectangle |
-|---|--:|--:|--:|--:|--:|--:|
+| Scene | Whole frame | ms | Only what changed | ms | Share | Rectangle | Strips drawn |
+|---|--:|--:|--:|--:|--:|--:|--:|
 )";
   for (const measured::Row& row : table.rows) {
     const double whole = std::stod(row[1]), changed = std::stod(row[2]);
@@ -113,8 +123,9 @@ SPI at 12.5 MHz.
     for (const Case& of : kCases) {
       if (row[0] == of.name && of.rectangle != 0) std::snprintf(rectangle, sizeof rectangle, "%.2f", of.rectangle);
     }
-    std::snprintf(text, sizeof text, "| `%s` | %s | %.1f | %s | %.1f | %.2f | %s |\n", row[0].c_str(), row[1].c_str(),
-                  whole * kMilliseconds, row[2].c_str(), changed * kMilliseconds, changed / whole, rectangle);
+    std::snprintf(text, sizeof text, "| `%s` | %s | %.1f | %s | %.1f | %.2f | %s | %s of %s |\n", row[0].c_str(),
+                  row[1].c_str(), whole * kMilliseconds, row[2].c_str(), changed * kMilliseconds, changed / whole,
+                  rectangle, row[4].c_str(), row[3].c_str());
     page << text;
   }
   page << "\n[The Pico's figures](pico.md) have the time of whole frames, drawing included.\n";

@@ -28,6 +28,22 @@ struct Strips {
   }
 };
 
+/// The same with fingerprints; `drawn` counts the strips that were not left out.
+struct KnownStrips : Strips {
+  mutable std::vector<std::uint16_t> drawn{};
+  StripDrawn draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    drawn.push_back(strip);
+    return Strips::draw_strip(strip, pixels);
+  }
+  std::uint32_t fingerprint(std::uint16_t strip) const {
+    std::uint32_t sum = 7;  // the area does not count
+    for (const std::byte byte : bytes_of(picture, areas.area(strip), format)) {
+      sum = (sum ^ std::to_integer<std::uint32_t>(byte)) * 16777619U;
+    }
+    return sum;
+  }
+};
+
 std::uint16_t narrow(std::uint32_t value) { return static_cast<std::uint16_t>(value); }
 
 hal::StripLayout layout_of(const Area& whole, std::uint16_t columns, std::uint16_t rows) {
@@ -50,13 +66,28 @@ class Buffers {
   std::vector<std::uint32_t> words_;
 };
 
+/// Returns the strips that were drawn; an error is a failure.
+template <class B, class Panel>
+std::vector<std::uint16_t> present_known(B& bench, Panel& display, const Picture& picture,
+                                         const hal::StripLayout& layout) {
+  const hal::StripAreas areas(layout, display.width(), display.height());
+  Buffers buffers(areas.bytes(display.format()), 0);
+  KnownStrips strips{{picture, areas, display.format()}};
+  EXPECT_TRUE(hal::present(strips, display, layout, buffers.both()));
+  bench.expected = picture;
+  return strips.drawn;
+}
+
 template <class B, class Panel>
 Error present_changes(B& bench, Panel& display, const Picture& picture, const hal::StripLayout& layout,
                       std::size_t misplaced = 0) {
   const hal::StripAreas areas(layout, display.width(), display.height());
   Buffers buffers(areas.bytes(display.format()), misplaced);
   Strips strips{picture, areas, display.format()};
-  const auto shown = hal::present(strips, display, layout, buffers.both());
+  KnownStrips known{strips};
+  // A frame with fingerprints and one without may follow each other.
+  const auto shown = misplaced % 2 == 0 ? hal::present(known, display, layout, buffers.both())
+                                        : hal::present(strips, display, layout, buffers.both());
   if (shown) bench.expected = picture;
   return shown.display;
 }
@@ -194,6 +225,75 @@ TEST(ChangedTilesOfSt7789, AnAreaThatAnotherFrameCoveredIsSentAgain) {
   ASSERT_EQ(present_changes(bench, display, noise(34, 22, bench.display.format(), random), {1, 22}), Error::none);
   ASSERT_EQ(present_changes(bench, display, first, {6, 4}), Error::none);
   EXPECT_EQ(bench.fault(), "");
+}
+
+using KnownDisplay = hal::ChangedTiles<St7789::Driver, 32>;
+using Drawn = std::vector<std::uint16_t>;
+
+TEST(ChangedTilesOfSt7789, AStripWithTheFingerprintOfTheLastFrameIsNeitherDrawnNorSent) {
+  Bench<St7789> bench({.width = 34, .height = 22});
+  ASSERT_EQ(bench.display.start(), Error::none);
+  KnownDisplay display(bench.display);
+  std::mt19937 random(10);
+  Picture picture = noise(34, 22, bench.display.format(), random);
+  EXPECT_EQ(present_known(bench, display, picture, {6, 4}), (Drawn{0, 1, 2, 3, 4, 5}));
+  const std::uint64_t sent = bench.bus.bytes();
+  EXPECT_EQ(present_known(bench, display, picture, {6, 4}), Drawn{});
+  EXPECT_EQ(bench.bus.bytes(), sent);
+  picture.at(33, 9)[0] ^= 8;
+  EXPECT_EQ(present_known(bench, display, picture, {6, 4}), Drawn{2});
+  EXPECT_EQ(bench.bus.bytes() - sent, 2 * 2 * 4 + 11U);
+  EXPECT_EQ(bench.fault(), "");
+  picture.at(33, 9)[0] ^= 8;
+  EXPECT_EQ(present_known(bench, display, picture, {6, 4}), Drawn{2}) << "only the last frame counts";
+  EXPECT_EQ(bench.fault(), "");
+}
+
+TEST(ChangedTilesOfSt7789, AfterAnErrorAllStripsAreDrawnAgain) {
+  Bench<St7789> bench({.width = 34, .height = 22});
+  ASSERT_EQ(bench.display.start(), Error::none);
+  KnownDisplay display(bench.display);
+  std::mt19937 random(11);
+  Picture picture = noise(34, 22, bench.display.format(), random);
+  const Drawn all{0, 1, 2, 3, 4, 5};
+  EXPECT_EQ(present_known(bench, display, picture, {6, 4}), all);
+  picture.at(0, 21)[0] ^= 8;
+  bench.bus.fail_at(bench.bus.transfers(), 0);
+  EXPECT_NE(present_changes(bench, display, picture, {6, 4}), Error::none);
+  bench.bus.fail_at(-1, 0);
+  EXPECT_EQ(present_known(bench, display, picture, {6, 4}), all);
+  EXPECT_EQ(bench.fault(), "");
+  display.forget();
+  EXPECT_EQ(present_known(bench, display, picture, {6, 4}), all);
+}
+
+/// A frame of equal strips, and other frames between its repetitions.
+TEST(ChangedTilesOfSt7789, AStripThatAnotherFrameCoveredIsDrawnAgain) {
+  Bench<St7789> bench({.width = 34, .height = 22});
+  ASSERT_EQ(bench.display.start(), Error::none);
+  KnownDisplay display(bench.display);
+  std::mt19937 random(12);
+  const Picture other = noise(34, 22, bench.display.format(), random), plain = black(34, 22);
+  for (const hal::StripLayout& layout : {hal::StripLayout{6, 4}, {1, 22}, {12, 4, 17}, {11, 2}}) {
+    EXPECT_EQ(present_known(bench, display, plain, {6, 4}).size(), 6U);
+    EXPECT_EQ(present_changes(bench, display, other, layout, 1), Error::none) << "without fingerprints";
+    EXPECT_EQ(present_known(bench, display, plain, {6, 4}).size(), 6U);
+    EXPECT_EQ(bench.fault(), "");
+    EXPECT_EQ(present_known(bench, display, other, layout).size(), layout.count);
+    EXPECT_EQ(present_known(bench, display, plain, {6, 4}).size(), 6U);
+    EXPECT_EQ(bench.fault(), "");
+    EXPECT_EQ(present_known(bench, display, other, layout).size(), layout.count);
+  }
+}
+
+/// Strips beyond those that it has memory for.
+TEST(ChangedTilesOfSt7789, FurtherStripsAreAlwaysDrawn) {
+  Bench<St7789> bench({.width = 34, .height = 22});
+  ASSERT_EQ(bench.display.start(), Error::none);
+  hal::ChangedTiles<decltype(bench.display), 32, 16, 4> display(bench.display);
+  const Picture plain = black(34, 22);
+  EXPECT_EQ(present_known(bench, display, plain, {6, 4}).size(), 6U);
+  EXPECT_EQ(present_known(bench, display, plain, {6, 4}), (Drawn{4, 5}));
 }
 
 TEST(ChangedTilesOfSt7789, AreasOutsideThePanelAndTooFewPixelsAreRefused) {

@@ -30,7 +30,7 @@ order=(
   'effects/*/*'
   'stages/*'
   'effects/*/*_stage.?pp'
-  'frame/* effects/stages.hpp @(area|fixed_renderer|frame|layer|pick|renderer).hpp'
+  'frame/* effects/stages.hpp @(area|fingerprints|fixed_renderer|frame|layer|pick|renderer).hpp'
   'visibility/* visibility.hpp'
   'zstrip.hpp'
 )

@@ -15,9 +15,12 @@ using namespace zstrip;
 using namespace zstrip::board;
 
 constexpr View kView{240, 240, PixelFormat::rgb565_swapped};
-constexpr Budget kBudget{.bytes = 128 * 1024, .strip_rows = 24, .strip_buffers = 2};
+constexpr Budget kBudget{.bytes = 128 * 1024, .strip_rows = 16, .strip_buffers = 2};
+// Low strips send less, and the bus is idle for a shorter time; bins transform no vertex twice for them.
+constexpr Quality kLowStrips{
+    .name = "low strips", .effects = effect::bins, .budget = {.strip_rows = 16, .modes = Modes::binned}};
 
-using Player = ScenePlayer<TurntableMotion<scenes::teapot, kView, kBudget>, 2>;
+using Player = ScenePlayer<TurntableMotion<scenes::teapot, kView, kBudget, 64, kLowStrips>, 2>;
 constexpr hal::StripLayout kLayout{Player::kPlan.strips, Player::kPlan.strip_rows, Player::kPlan.strip_columns};
 
 }  // namespace

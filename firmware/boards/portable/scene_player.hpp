@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "portable/failure.hpp"
+#include "zstrip/fingerprints.hpp"
 #include "zstrip/plan.hpp"
 #include "zstrip/status.hpp"
 #include "zstrip_hal/present.hpp"
@@ -34,13 +35,22 @@ class ScenePlayer {
     if (const Status moved = Motion::move_to(frame); !moved) return {"moving the scene", message(moved.error)};
     if (const Status begun = Motion::begin_frame(); !begun) return {"begin of the frame", message(begun.error)};
     Motion motion;
-    const auto shown = hal::present(motion, panel, {kPlan.strips, kPlan.strip_rows, kPlan.strip_columns}, buffers());
+    if constexpr (hal::RemembersStrips<Panel> && requires { Motion::camera_of_frame(); }) {
+      FingerprintedFrame<Motion, kPlan.strips> known(motion, Motion::camera_of_frame());
+      return present(known, panel);
+    } else {
+      return present(motion, panel);
+    }
+  }
+
+ private:
+  template <class Frame, hal::Display Panel>
+  static Failure present(Frame& frame, Panel& panel) {
+    const auto shown = hal::present(frame, panel, {kPlan.strips, kPlan.strip_rows, kPlan.strip_columns}, buffers());
     if (!shown.draw) return {"drawing", message(shown.draw.error)};
     if (shown.display != hal::Error::none) return {"display", hal::message(shown.display)};
     return {};
   }
-
- private:
   static hal::StripBuffers buffers() {
     const std::span<std::byte> all = pixels;
     if constexpr (strip_buffers == 1) return {all, {}};

@@ -73,8 +73,15 @@ class TurntableMotion {
     if constexpr (built_in.turns == scenes::Turns::camera) {
       return renderer.begin_frame(camera);
     } else {
-      static constexpr Camera kCamera = scenes::fitted_camera(built_in, kView);
       return renderer.begin_frame(kCamera, moving);
+    }
+  }
+  static auto frame() { return renderer.frame(); }
+  static const Camera& camera_of_frame() {
+    if constexpr (built_in.turns == scenes::Turns::camera) {
+      return camera;
+    } else {
+      return kCamera;
     }
   }
   static Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
@@ -82,6 +89,7 @@ class TurntableMotion {
   }
 
  protected:
+  static constexpr Camera kCamera = scenes::fitted_camera(built_in, kView);
   // Only one of the first two is used and linked.
   static inline constinit Camera camera{};
   static inline constinit typename Drawing::Moving moving{};

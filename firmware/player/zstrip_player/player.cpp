@@ -114,7 +114,7 @@ bool Player::open(const void* blob, std::size_t size) {
   take(baked_.memory_bytes);
   if (!baked_.clips.empty() || !baked_.skins.empty()) pose_ = &pose_blob;
   used_open_ = used_;
-  is_open_ = true;
+  is_open_ = keeps_tables_ = true;
   return true;
 }
 
@@ -130,6 +130,7 @@ bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
             .animation = scene.animation,
             .turn = scene.turn};
   is_open_ = true;
+  keeps_tables_ = false;
   return true;
 }
 
@@ -191,6 +192,7 @@ bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat form
                      std::uint16_t row_step) {
   used_ = used_open_;
   fault_ = Fault::none;
+  ++version_;
   if (!is_open_) return fail(Fault::not_open);
   view_ = {width, height, format, baked_.view.dither, baked_.view.samples};
   if (!valid_size_and_format(view_)) return fail(Fault::plan, {.error = Error::view_size});
@@ -381,6 +383,7 @@ bool Player::begin() {
   if (!is_fitted_) return fail(Fault::not_fitted);
   if (!stage()) return false;
   kept_strip_ = kNoStrip;
+  if (!keeps_tables_) ++version_;
   const Status begun = drawn_with_.pipeline.begin_frame(state_, staged_.scene, staged_.camera, view_, plan_, arena_);
   return begun || fail(Fault::frame, begun);
 }

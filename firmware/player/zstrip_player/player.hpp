@@ -7,6 +7,7 @@
 
 #include "zstrip/blob.hpp"
 #include "zstrip/clips.hpp"
+#include "zstrip/fingerprints.hpp"
 #include "zstrip/frame/entry_points.hpp"
 #include "zstrip/frame/picked.hpp"
 #include "zstrip/frame/pipeline.hpp"
@@ -71,6 +72,10 @@ class Player {
   /// Or opens the constants of a baked header. The animation of other constants must have passed validate():
   ///     open({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, baked::kView)
   bool open(const scenes::AtRest& scene, const View& baked_for);
+  /// For constants that were opened: says that nothing changes that their meshes, textures, fonts and images refer to,
+  /// as pose_skins() of a baked header does. Then draw() leaves out strips that the display shows already, if it
+  /// remembers strips (ChangedTiles). Of a blob this is always true.
+  void keep_tables() { keeps_tables_ = true; }
 
   /// 2. Fits the camera to the display and the plan to the memory. Call it again for another display.
   template <hal::Display Panel>
@@ -122,9 +127,14 @@ class Player {
   bool draw(Panel& panel) {
     if (!begin_on(panel.width(), panel.height(), static_cast<PixelFormat>(panel.format()))) return false;
     Strips strips{*this};
-    const auto shown =
-        hal::present(strips, panel, {plan_.strips, plan_.strip_rows, plan_.strip_columns}, {strip(0), strip(1)});
-    return end(shown.draw, shown.display);
+    // Methods may keep something for the next frame.
+    if constexpr (hal::RemembersStrips<Panel>) {
+      if (drawn_with_.effects.methods == 0) {
+        KnownStrips<Panel::kStrips> known{{*this}, {Frame(state_), staged_.camera, version_}};
+        return present(known, panel);
+      }
+    }
+    return present(strips, panel);
   }
   /// Or passes each strip to `take(area, pixels)`, which returns false to end the frame.
   template <class Take>
@@ -231,6 +241,17 @@ class Player {
     std::uint32_t scene = 0;    ///< a hash of camera, depth range and lines, on which the pixels of `bounds` depend
     Rect bounds{};
   };
+  template <std::size_t strips>
+  struct KnownStrips : Strips {
+    StripFingerprints<strips> fingerprints;
+    std::uint32_t fingerprint(std::uint16_t strip) const { return fingerprints[strip]; }
+  };
+  template <class Drawn, hal::Display Panel>
+  bool present(Drawn& strips, Panel& panel) {
+    const auto shown =
+        hal::present(strips, panel, {plan_.strips, plan_.strip_rows, plan_.strip_columns}, {strip(0), strip(1)});
+    return end(shown.draw, shown.display);
+  }
 
   Status draw_into(std::uint16_t strip, std::span<std::byte> pixels) {
     kept_strip_ = kNoStrip;
@@ -261,8 +282,9 @@ class Player {
   /// Moves skins and instances by the clips that play. Null for scenes without skins and clips, so that programs with
   /// headers do not link it.
   Status (*pose_)(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances) = nullptr;
-  bool is_open_ = false, is_fitted_ = false, can_turn_ = false;
+  bool is_open_ = false, is_fitted_ = false, can_turn_ = false, keeps_tables_ = false;
 
+  std::uint32_t version_ = 0;  ///< of the fingerprints: grows with each fit(), and where tables change with each frame
   DrawnWith drawn_with_{};
   detail::MethodFrameState state_{};
   View view_{};

@@ -1,0 +1,223 @@
+// Takes the fingerprints of a frame's strips; see fingerprints.hpp.
+#include "zstrip/fingerprints.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <concepts>
+
+#include "zstrip/effects/overlay/text_line.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/state/bounds.hpp"
+
+namespace zstrip::detail {
+namespace {
+
+constexpr std::uint32_t kUnknown = 0;
+
+/// Rotation, sum and product lose nothing: digests of words that differ in one place differ.
+class Digest {
+ public:
+  constexpr explicit Digest(std::uint32_t seed) : value_(seed) {}
+  /// Returns the digest of all words, never kUnknown.
+  std::uint32_t value() const { return value_ == kUnknown ? 1 : value_; }
+
+  void add(std::uint32_t word) {
+    std::uint32_t factor = 0x9E3779B1U;  // a prime near 2^32 by the golden ratio
+    asm("" : "+r"(factor));  // GCC would replace the product by 15 shifts and sums where multipliers may be slow
+    value_ = (std::rotl(value_, 5) ^ word) * factor;
+  }
+  template <std::signed_integral T>
+  void add(T value) {
+    add(static_cast<std::uint32_t>(value));
+    if constexpr (sizeof value > sizeof(std::uint32_t)) add(static_cast<std::uint32_t>(value >> 32));
+  }
+  void add(const Vec3& v) { add(v.x), add(v.y), add(v.z); }
+  void add(const Colour& c) { add(std::uint32_t{c.r} | c.g << 8U | c.b << 16U | std::uint32_t{c.a} << 24U); }
+  /// Adds the bytes of the elements, and with them addresses of further tables. Gaps in them are the caller's and
+  /// stay as they are; if one does not, the digest differs for nothing.
+  template <class T>
+  void add_all(std::span<const T> table) {
+    const auto* const bytes = reinterpret_cast<const std::byte*>(table.data());
+    add(static_cast<std::uint32_t>(table.size()));
+    if constexpr (alignof(T) % sizeof(std::uint32_t) == 0) {
+      add_words(bytes, table.size_bytes() / sizeof(std::uint32_t));
+    } else {
+      add_bytes(bytes, table.size_bytes());
+    }
+  }
+  template <class T>
+  void add_one(const T* element) {
+    add_all(std::span(element, element == nullptr ? 0 : 1));
+  }
+
+ private:
+  // Not inlined: each is called for many tables.
+  [[gnu::noinline]] void add_words(const std::byte* at, std::size_t count) {
+    for (; count > 0; --count, at += sizeof(std::uint32_t)) {
+      std::uint32_t word = 0;
+      __builtin_memcpy(&word, __builtin_assume_aligned(at, sizeof word), sizeof word);
+      add(word);
+    }
+  }
+  [[gnu::noinline]] void add_bytes(const std::byte* at, std::size_t count) {
+    for (; count > 0; --count, ++at) add(std::to_integer<std::uint32_t>(*at));
+  }
+
+  std::uint32_t value_;
+};
+
+/// The fingerprints of a frame's strips while they are collected.
+class Strips {
+ public:
+  Strips(const FrameState& frame, std::uint32_t of_background, std::span<std::uint32_t> fingerprints)
+      : grid_(frame.plan, frame.view, {0, 0, frame.view.width, frame.view.height}), fingerprints_(fingerprints) {
+    const std::size_t known = std::min<std::size_t>(frame.plan.strips, fingerprints.size());
+    std::ranges::fill(fingerprints.first(known), of_background);
+    std::ranges::fill(fingerprints.subspan(known), kUnknown);
+  }
+
+  /// Adds something to the strips that it may touch: all pixels of the frame's view in `box`. After kUnknown they
+  /// stay unknown.
+  void add(const Rect& box, std::uint32_t print) {
+    const Rect touched = grid_.strips_of_picture(box);
+    for (std::int32_t row = touched.top; row < touched.bottom; ++row) {
+      for (std::int32_t column = touched.left; column < touched.right; ++column) {
+        const auto strip = static_cast<std::size_t>(row * grid_.across() + column);
+        if (strip >= fingerprints_.size() || fingerprints_[strip] == kUnknown) continue;
+        Digest both(fingerprints_[strip]);
+        both.add(print);
+        fingerprints_[strip] = print == kUnknown ? kUnknown : both.value();
+      }
+    }
+  }
+
+ private:
+  StripGrid grid_;
+  std::span<std::uint32_t> fingerprints_;
+};
+
+/// Returns the digest of a strip that shows the background alone.
+Digest digest_of_background(const FrameState& frame) {
+  Digest digest(1);
+  digest.add(std::uint32_t{frame.view.width} << 16U | frame.view.height);
+  digest.add(static_cast<std::uint32_t>(frame.view.format) << 16U | std::uint32_t{frame.view.dither} << 8U |
+             frame.view.samples);
+  digest.add(frame.scene->background);
+  return digest;
+}
+
+/// Adds what every surface may depend on.
+void add_settings(Digest& digest, const FrameState& frame, const Camera& camera) {
+  const Scene& scene = *frame.scene;
+  for (const Vec3& axis : {camera.right, camera.up, camera.back, camera.eye}) digest.add(axis);
+  for (const Fixed length : {camera.focal, camera.near_plane, camera.far_plane}) digest.add(length);
+  digest.add(static_cast<std::uint32_t>(camera.projection) << 1U | std::uint32_t{camera.fixed_depth_range});
+  // Depth codes depend on the depths of all instances.
+  digest.add(frame.fit.near);
+  digest.add(frame.fit.far);
+  digest.add(scene.ambient);
+  digest.add_all(scene.lights);
+  digest.add_all(scene.punctual_lights);
+  digest.add_one(scene.fog);
+  digest.add_one(scene.shadow);
+  digest.add_all(scene.materials);
+  digest.add_all(scene.finishes);
+  digest.add_all(scene.textures);
+  digest.add_all(scene.meshes);
+  digest.add_all(scene.csg);
+  digest.add_all(scene.edges);
+}
+
+/// True if outlines were added to the frame, whose hulls are wider than their boxes.
+bool has_outlines(const Scene& scene) {
+  return std::ranges::any_of(scene.instances,
+                             [&](const Instance& instance) { return scene.meshes[instance.mesh].outline != 0; });
+}
+
+/// Adds what is drawn into the z-buffer.
+void add_surfaces(Strips& strips, const FrameState& frame, const Camera& camera, const Digest& settings) {
+  const Scene& scene = *frame.scene;
+  if (has_outlines(scene)) return strips.add(frame.bounds, kUnknown);
+  // A shadow, a solid or an edge may change where its own instance does not.
+  const bool connected = scene.shadow != nullptr || !scene.csg.empty() || !scene.edges.empty();
+  bool known = true;
+  Digest all = settings;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const bool is_known = scene.meshes[instance.mesh].skinning == nullptr;
+    if (connected) {
+      all.add_one(&instance);
+      known = known && is_known;
+    } else if (frame.instances[i].visible) {
+      Digest own = settings;
+      own.add_one(&instance);
+      strips.add(bounds_of(frame.instances[i], frame.origin, frame.view, camera.projection == Projection::orthographic),
+                 is_known ? own.value() : kUnknown);
+    }
+  }
+  if (!connected && scene.quadrics.empty() && scene.lines.empty()) return;
+  all.add_all(scene.quadrics);
+  all.add_all(scene.lines);
+  const std::int32_t apron = scene.edges.empty() ? 0 : 1;  // edges are blended with their neighbours
+  const Rect& bounds = frame.bounds;
+  if (bounds.empty()) return;
+  strips.add({bounds.left - apron, bounds.top - apron, bounds.right + apron, bounds.bottom + apron},
+             known ? all.value() : kUnknown);
+}
+
+/// Adds sprites and labels to the rows that they may touch. `seed`: of all of them.
+void add_overlay(Strips& strips, const View& view, const Overlay& overlay, const Digest& seed) {
+  const auto add_rows = [&](std::int32_t top, std::int32_t bottom, const Digest& digest) {
+    const auto samples = static_cast<std::int32_t>(sample_rows(view));
+    strips.add({0, top * samples, view.width, bottom * samples}, digest.value());
+  };
+  for (const Sprite& sprite : overlay.sprites) {
+    const OverlayImage& image = overlay.images[sprite.image];
+    Digest digest = seed;
+    digest.add(sprite.x);
+    digest.add(sprite.y);
+    digest.add(sprite.colour);
+    digest.add_one(&image);
+    add_rows(sprite.y, sprite.y + image.height, digest);
+  }
+  for (const Label& label : overlay.labels) {
+    const Font& font = overlay.fonts[label.font];
+    Digest digest = seed;
+    digest.add(label.x);
+    digest.add(label.y);
+    digest.add(static_cast<std::uint32_t>(label.alignment));
+    digest.add(label.colour);
+    digest.add(label.background);
+    digest.add_one(&font);
+    std::int32_t lines = 1;
+    for (const char character : whole_text(label.text)) {
+      digest.add(static_cast<std::uint32_t>(static_cast<unsigned char>(character)));
+      if (character == '\n') ++lines;
+    }
+    // Glyphs may reach beyond their line by its height.
+    add_rows(label.y - font.line_height, label.y + (lines + 1) * font.line_height, digest);
+  }
+}
+
+}  // namespace
+
+void take_fingerprints(const FrameState& frame, const Camera& camera, std::uint32_t version,
+                       std::span<std::uint32_t> fingerprints) {
+  if (frame.scene == nullptr) {
+    std::ranges::fill(fingerprints, kUnknown);
+    return;
+  }
+  const Digest background = digest_of_background(frame);
+  Strips strips(frame, background.value(), fingerprints);
+  Digest settings = background;
+  settings.add(version);
+  add_settings(settings, frame, camera);
+  add_surfaces(strips, frame, camera, settings);
+  if (frame.scene->overlay != nullptr) {
+    Digest seed(2);
+    seed.add(version);
+    add_overlay(strips, frame.view, *frame.scene->overlay, seed);
+  }
+}
+
+}  // namespace zstrip::detail
