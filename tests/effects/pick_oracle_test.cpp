@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "../oracle/homogeneous_oracle.hpp"
@@ -66,7 +67,10 @@ class IdsInSpace {
     const long double near = std::ldexp(static_cast<long double>(camera_.near_plane), -16);
     const long double far = std::ldexp(static_cast<long double>(camera_.far_plane), -16);
     const oracle::SpaceTriangle triangle(v, near, far, kCloseToEdge);
-    if (triangle.degenerate() || (!double_sided && !triangle.front_facing())) return;
+    if (triangle.degenerate()) return;
+    // Snapped corners decide which side of a triangle is seen: of a thin one it may be the other.
+    const bool faces = double_sided || triangle.front_facing();
+    if (!faces && !is_thin(v, near)) return;
     // The box of its corners, or all pixels if one is not in front.
     int left = 0, top = 0, right = kLarge.width, bottom = kLarge.height;
     if (std::ranges::all_of(v, [near](const oracle::Homogeneous& c) { return c.w > near; })) {
@@ -84,9 +88,23 @@ class IdsInSpace {
         if (verdict == oracle::Verdict::outside) continue;
         const auto distance = static_cast<double>(triangle.distance(x, y));
         pixels_[static_cast<std::size_t>(y * kLarge.width + x)].push_back(
-            {instance, number, verdict == oracle::Verdict::inside, distance, error_of(triangle, x, y, distance)});
+            {instance, number, faces && verdict == oracle::Verdict::inside, distance,
+             error_of(triangle, x, y, distance)});
       }
     }
+  }
+
+  /// True if no corner is farther from the opposite edge than corners move when they are snapped.
+  static bool is_thin(const std::array<oracle::Homogeneous, 3>& v, long double near) {
+    if (std::ranges::any_of(v, [near](const oracle::Homogeneous& c) { return c.w <= near; })) return false;
+    long double longest = 0, doubled_area = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const oracle::Homogeneous &a = v[i], &b = v[(i + 1) % 3];
+      const long double ax = a.x / a.w, ay = a.y / a.w, bx = b.x / b.w, by = b.y / b.w;
+      longest = std::max(longest, std::hypot(bx - ax, by - ay));
+      doubled_area += ax * by - ay * bx;
+    }
+    return std::abs(doubled_area) <= kCloseToEdge * longest;
   }
 
   /// Some codes of the z-buffer, and what the snapped corners move the plane by.
@@ -102,6 +120,16 @@ class IdsInSpace {
   double nearest_, farthest_;
   std::vector<std::vector<Candidate>> pixels_ = std::vector<std::vector<Candidate>>(kLarge.width * kLarge.height);
 };
+
+std::string words_of(const std::vector<Candidate>& candidates) {
+  std::string words;
+  for (const Candidate& each : candidates) {
+    words += std::to_string(each.triangle) + " of " + std::to_string(each.instance) +
+             (each.certain ? " at " : " or at ") + std::to_string(each.distance) + " +- " +
+             std::to_string(each.either) + "; ";
+  }
+  return words + "or nothing";
+}
 
 struct Judged {
   bool right;
@@ -157,8 +185,9 @@ TEST(EffectsPick, AMillionRandomPixelsShowTrianglesThatTheOracleSees) {
         Picked picked;
         ASSERT_TRUE(frame.pick(x, y, picked));
         const Judged verdict = judged(picked, ids.at(x, y));
-        ASSERT_TRUE(verdict.right) << "pixel " << x << ", " << y << " shows triangle " << picked.triangle
-                                   << " of instance " << picked.index;
+        ASSERT_TRUE(verdict.right) << "pixel " << x << ", " << y << " shows " << static_cast<int>(picked.shown)
+                                   << ", triangle " << picked.triangle << " of instance " << picked.index << ", not "
+                                   << words_of(ids.at(x, y));
         decided += verdict.decided ? 1 : 0;
         shown += picked.shown == Shown::instance ? 1 : 0;
       }
