@@ -32,7 +32,9 @@ class Digest {
     if constexpr (sizeof value > sizeof(std::uint32_t)) add(static_cast<std::uint32_t>(value >> 32));
   }
   void add(const Vec3& v) { add(v.x), add(v.y), add(v.z); }
-  void add(const Colour& c) { add(std::uint32_t{c.r} | c.g << 8U | c.b << 16U | std::uint32_t{c.a} << 24U); }
+  void add(const Colour& c) {
+    add(std::uint32_t{c.r} | std::uint32_t{c.g} << 8U | std::uint32_t{c.b} << 16U | std::uint32_t{c.a} << 24U);
+  }
   /// Adds the bytes of the elements, and with them addresses of further tables. Gaps in them are the caller's and
   /// stay as they are; if one does not, the digest differs for nothing.
   template <class T>
