@@ -79,9 +79,9 @@ constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t text
 
 /// The numbers of a blob's skins, joints and clips, and of the vertices that move at a time.
 struct CharacterCounts {
-  std::uint32_t skins = 0;
-  std::uint32_t joints = 0;
-  std::uint32_t clips = 0;
+  std::uint32_t skins = 0;      ///< tables of skins, one a mesh that bends
+  std::uint32_t joints = 0;     ///< joints of all skins together
+  std::uint32_t clips = 0;      ///< named animations
   std::uint32_t positions = 0;  ///< vertices of the largest meshlet of all skins, which share the memory for them
   std::uint32_t normals = 0;    ///< vertices of the largest meshlet of a skin with normals
 };

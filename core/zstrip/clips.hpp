@@ -19,16 +19,17 @@ namespace zstrip {
 /// no tracks.
 struct Clip {
   const char* name = "";  ///< UTF-8
-  Animation instances;
-  Animation joints;  ///< Track::instance is the joint
+  Animation instances;    ///< moves instances
+  Animation joints;       ///< Track::instance is the joint
 
+  /// Returns the milliseconds until it repeats.
   constexpr std::uint32_t duration() const { return instances.duration; }
 };
 
 /// Skins that have the same joints, and the memory for their pose.
 struct MovedSkins {
-  std::span<Skinning> skinnings;
-  std::span<JointPose> pose;  ///< one a joint
+  std::span<Skinning> skinnings;  ///< one a mesh
+  std::span<JointPose> pose;      ///< one a joint
 };
 
 /// A clip that plays, at one time.
@@ -79,6 +80,7 @@ class PlayedClips {
     settle();
   }
 
+  /// Returns the clip that was played last, which the others fade into.
   constexpr const PlayedClip& last() const { return clips_[count_ - 1]; }
   /// Returns the clips in the order in which they fade into each other, at least one. The share of the first one does
   /// not count.
