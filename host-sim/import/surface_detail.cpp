@@ -42,7 +42,7 @@ struct Lighting {
   }
 };
 
-/// As look_for_people() lights a model without lights.
+/// This light is the one by which look_for_people() shows a model without lights.
 constexpr double kAmbient = 104.0 / 255;
 const Beam kKeyLight{{0.1 / 1.005, 0.8 / 1.005, 0.6 / 1.005}, 1 - kAmbient};
 

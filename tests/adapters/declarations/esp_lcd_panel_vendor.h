@@ -1,4 +1,5 @@
-// Of esp_lcd of ESP-IDF 5: the names that the program of `zstrip bake --project esp_idf` calls.
+// This header declares the names of esp_lcd of ESP-IDF 5 that the program of `zstrip bake
+// --project esp_idf` calls.
 #pragma once
 
 #include "driver/gpio.h"

@@ -1,4 +1,5 @@
-// Of ESP-IDF 5: the name that the program of `zstrip bake --project esp_idf` calls.
+// This header declares the name of ESP-IDF 5 that the program of `zstrip bake
+// --project esp_idf` calls.
 #pragma once
 
 #include <cstdint>

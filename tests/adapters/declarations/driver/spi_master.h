@@ -1,4 +1,5 @@
-// Of ESP-IDF 5: the names that the program of `zstrip bake --project esp_idf` calls.
+// This header declares the names of ESP-IDF 5 that the program of `zstrip bake
+// --project esp_idf` calls.
 #pragma once
 
 #include "../esp_lcd_panel_io.h"
