@@ -6,12 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "image/resample.hpp"
 #include "import/vectors.hpp"
 
 namespace zstrip::sim {
@@ -270,27 +271,31 @@ void remove_maps(SourceModel& model) {
 
 std::size_t paint_surface_detail(SourceModel& model) {
   const Lighting light = light_of(model);
-  std::map<std::uint32_t, Painting> paintings;           // by texture
-  std::map<std::uint32_t, std::vector<Detail>> details;  // by material
-  std::int64_t visits = std::int64_t{1} << 26;           // texels of triangles: some seconds
-  for (std::size_t i = 0; i < model.materials.size(); ++i) {
-    const SourceMaterial& material = model.materials[i];
-    if (!has_detail(material)) continue;
-    paintings.try_emplace(material.texture, model.textures[material.texture], light);
-    details.emplace(static_cast<std::uint32_t>(i), details_of(model, material));
+  std::set<std::uint32_t> textures;
+  for (const SourceMaterial& material : model.materials) {
+    if (has_detail(material)) textures.insert(material.texture);
   }
-  for (const SourceMesh& mesh : model.meshes) {
-    const auto painting = paintings.find(model.materials[mesh.material].texture);
-    if (painting == paintings.end() || !mesh.has_texcoords) continue;
-    const auto maps = details.find(mesh.material);
-    const std::span<const Detail> texels = maps == details.end() ? std::span<const Detail>() : maps->second;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-      const auto laid = lay(mesh, &mesh.indices[i], model.textures[painting->first]);
-      if (laid) painting->second.add(*laid, texels, visits);
-    }
-  }
+  std::int64_t visits = std::int64_t{1} << 26;  // texels of triangles: some seconds
   std::size_t changed = 0;
-  for (const auto& [texture, painting] : paintings) changed += painting.paint(model.textures[texture]) ? 1U : 0U;
+  // One texture and one material at a time, in the size that the texture will have: a texel takes 48 bytes.
+  for (const std::uint32_t texture : textures) {
+    RgbImage& base = model.textures[texture];
+    base = resample_to_power_of_two(std::move(base));
+    Painting painting(base, light);
+    for (std::size_t i = 0; i < model.materials.size(); ++i) {
+      const SourceMaterial& material = model.materials[i];
+      if (material.texture != texture) continue;
+      const std::vector<Detail> details = has_detail(material) ? details_of(model, material) : std::vector<Detail>();
+      for (const SourceMesh& mesh : model.meshes) {
+        if (mesh.material != i || !mesh.has_texcoords) continue;
+        for (std::size_t corner = 0; corner + 2 < mesh.indices.size(); corner += 3) {
+          const auto laid = lay(mesh, &mesh.indices[corner], base);
+          if (laid) painting.add(*laid, details, visits);
+        }
+      }
+    }
+    changed += painting.paint(base) ? 1U : 0U;
+  }
   remove_maps(model);
   return changed;
 }
