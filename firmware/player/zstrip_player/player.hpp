@@ -229,7 +229,7 @@ class Player {
     Player& player;
     Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) { return player.draw_into(strip, pixels); }
   };
-  /// An instance as changed() saw it last: a hash of its place, and its rectangle of the picture.
+  /// An instance as changed() saw it last: a digest of its place, and its rectangle of the picture.
   struct SeenInstance {
     std::uint32_t place;
     std::uint16_t left, top, right, bottom;
@@ -237,8 +237,8 @@ class Player {
   /// The rest of the frame that changed() saw last.
   struct SeenFrame {
     bool is_known = false;
-    std::uint32_t picture = 0;  ///< a hash of background and text, on which every pixel depends
-    std::uint32_t scene = 0;    ///< a hash of camera, depth range and lines, on which the pixels of `bounds` depend
+    std::uint32_t picture = 0;  ///< a digest of background and text, on which every pixel depends
+    std::uint32_t scene = 0;    ///< a digest of camera, depth range and lines, on which the pixels of `bounds` depend
     Rect bounds{};
   };
   template <std::size_t strips>

@@ -1,44 +1,15 @@
-// The rectangle that differs from a frame before, from hashes of places and from rectangles of instances.
+// The rectangle that differs from a frame before, from digests of places and from rectangles of instances.
 #include <algorithm>
 
 #include "zstrip/effects/samples/samples.hpp"
 #include "zstrip/state/bounds.hpp"
+#include "zstrip/state/digest.hpp"
 #include "zstrip_player/player.hpp"
 
 namespace zstrip {
 namespace {
 
-/// FNV-1a with words instead of bytes. Two places of an instance have the same hash with a probability of 2^-32.
-class Hash {
- public:
-  void add(std::uint32_t word) { value_ = (value_ ^ word) * 16777619U; }
-  void add(std::int32_t word) { add(static_cast<std::uint32_t>(word)); }
-  void add(std::int64_t words) {
-    add(static_cast<std::uint32_t>(words));
-    add(static_cast<std::uint32_t>(words >> 32));
-  }
-  void add(const Vec3& v) {
-    add(v.x);
-    add(v.y);
-    add(v.z);
-  }
-  void add(const Transform& transform) {
-    for (const auto& row : transform.m) {
-      for (const Fixed entry : row) add(entry);
-    }
-  }
-  void add(const Camera& camera) {
-    add(camera.right);
-    add(camera.up);
-    add(camera.back);
-    add(camera.eye);
-    add(camera.focal);
-  }
-  std::uint32_t value() const { return value_ ^ value_ >> 15; }  // the upper bits depend on all words
-
- private:
-  std::uint32_t value_ = 2166136261U;
-};
+using detail::Digest;
 
 /// Extends `all` by `part`; both may be empty.
 void extend(Rect& all, const Rect& part) {
@@ -61,21 +32,22 @@ Rect Player::rectangle_of(std::size_t instance) const {
 
 Rect Player::changed() {
   if (!is_open_ || !is_fitted_ || state_.scene == nullptr) return {};
-  Hash picture, scene;
-  const Colour& background = staged_.scene.background;
-  picture.add(static_cast<std::uint32_t>(background.r | background.g << 8 | background.b << 16));
+  Digest picture(1), scene(1);
+  picture.add(staged_.scene.background);
   for (const char letter : text_) picture.add(std::int32_t{letter});
-  scene.add(staged_.camera);
+  const Camera& camera = staged_.camera;
+  for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) scene.add(vector);
+  scene.add(camera.focal);
   scene.add(state_.fit.near);  // depth is rounded, and fog computed, by the range of the whole scene
   scene.add(state_.fit.far);
-  for (const LineSet& lines : staged_.scene.lines) scene.add(lines.transform);
-  const auto add_place = [this](Hash& hash, const Instance& instance) {
-    hash.add(instance.transform);
+  for (const LineSet& lines : staged_.scene.lines) scene.add_one(&lines.transform);
+  const auto add_place = [this](Digest& digest, const Instance& instance) {
+    digest.add_one(&instance.transform);
     if (baked_.scene.meshes[instance.mesh].skinning == nullptr) return;
     for (const PlayedClip& played : played_.all()) {
-      hash.add(played.time);
-      hash.add(std::uint32_t{played.clip});
-      hash.add(played.share());
+      digest.add(played.time);
+      digest.add(std::uint32_t{played.clip});
+      digest.add(played.share());
     }
   };
   const bool each = !seen_instances_.empty() && !reaches_far_;
@@ -86,7 +58,7 @@ Rect Player::changed() {
       add_place(scene, instance);
       continue;
     }
-    Hash place;
+    Digest place(1);
     add_place(place, instance);
     SeenInstance& seen = seen_instances_[i];
     const Rect now = rectangle_of(i);
