@@ -19,12 +19,8 @@ namespace {
 using Place = std::tuple<std::int16_t, std::int16_t, std::int16_t>;
 
 Place place_of(const Position& p) { return {p.x, p.y, p.z}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Vector less(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
+double length(const Vector& v) { return std::sqrt(scalar_product(v, v)); }
 
 /// The faces around a vertex: sums of the normals and of their products, weighted by the angle of each face.
 struct Corner {
@@ -53,9 +49,10 @@ Vector mitre(const Corner& corner) {
     m[i][i] += pull;
     right[i] += pull * corner.sum[i] / mean_length;
   }
-  const double determinant = dot(m[0], cross(m[1], m[2]));  // symmetric: rows are columns
-  return {dot(right, cross(m[1], m[2])) / determinant, dot(m[0], cross(right, m[2])) / determinant,
-          dot(m[0], cross(m[1], right)) / determinant};
+  const double determinant = scalar_product(m[0], vector_product(m[1], m[2]));  // symmetric: rows are columns
+  return {scalar_product(right, vector_product(m[1], m[2])) / determinant,
+          scalar_product(m[0], vector_product(right, m[2])) / determinant,
+          scalar_product(m[0], vector_product(m[1], right)) / determinant};
 }
 
 /// Converts to 1.7; shortens the vector if a component would not fit.
@@ -98,7 +95,7 @@ std::vector<MeshData> hull_of(const Mesh& mesh) {
   std::vector<std::uint32_t> indices;
   for (const Triangle& t : mesh.triangles) {
     const std::array<std::uint32_t, 3> index{vertex_at[t.a], vertex_at[t.b], vertex_at[t.c]};
-    const Vector face = cross(less(point(index[1]), point(index[0])), less(point(index[2]), point(index[0])));
+    const Vector face = vector_product(less(point(index[1]), point(index[0])), less(point(index[2]), point(index[0])));
     const double area = length(face);
     if (!(area > 0)) continue;
     indices.insert(indices.end(), index.begin(), index.end());
@@ -106,7 +103,7 @@ std::vector<MeshData> hull_of(const Mesh& mesh) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector to_next = less(point(index[(i + 1) % 3]), point(index[i]));
       const Vector to_last = less(point(index[(i + 2) % 3]), point(index[i]));
-      corners[index[i]].add(normal, std::atan2(area, dot(to_next, to_last)));
+      corners[index[i]].add(normal, std::atan2(area, scalar_product(to_next, to_last)));
     }
   }
   for (const Corner& corner : corners) whole.normals.push_back(to_normal(mitre(corner)));

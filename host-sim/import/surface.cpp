@@ -10,7 +10,7 @@
 #include <numeric>
 #include <span>
 
-#include "import/vectors.hpp"
+#include "motion/affine.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -18,6 +18,8 @@ namespace {
 Vector difference(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   return {double{a[0]} - double{b[0]}, double{a[1]} - double{b[1]}, double{a[2]} - double{b[2]}};
 }
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 bool is_zero(const std::array<float, 3>& v) { return v == std::array<float, 3>{}; }
 
 /// The corners of all triangles of all meshes, in order, as numbers of positions. Equal positions have equal numbers.
@@ -82,7 +84,7 @@ Vector smooth_normal(std::uint32_t corner, std::span<const std::uint32_t> fan, c
   Vector sum{};
   for (const std::uint32_t other : fan) {
     const Vector& normal = face_normals[other / 3];
-    if (creased && dot(own, normal) < least_cosine) continue;
+    if (creased && scalar_product(own, normal) < least_cosine) continue;
     for (std::size_t i = 0; i < 3; ++i) sum[i] += angles[other] * normal[i];
   }
   return unit(sum);
@@ -105,11 +107,11 @@ void generate_missing_normals(SourceModel& model) {
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
       const auto corner = [&](std::size_t k) -> const auto& { return mesh.vertices[mesh.indices[t + k % 3]].position; };
       face_normals.push_back(
-          unit(cross(unit(difference(corner(1), corner(0))), unit(difference(corner(2), corner(0))))));
+          unit(vector_product(unit(difference(corner(1), corner(0))), unit(difference(corner(2), corner(0))))));
       for (std::size_t k = 0; k < 3; ++k) {
         const Vector ahead = unit(difference(corner(k + 1), corner(k)));
         const Vector back = unit(difference(corner(k + 2), corner(k)));
-        angles.push_back(std::acos(std::clamp(dot(ahead, back), -1.0, 1.0)));
+        angles.push_back(std::acos(std::clamp(scalar_product(ahead, back), -1.0, 1.0)));
       }
     }
   }
@@ -179,8 +181,8 @@ std::vector<Outside> find_outsides(const SourceModel& model) {
         place[from] = difference(mesh.vertices[mesh.indices[i + k]].position, origin);
       }
       const Vector &a = place[at[0]], &b = place[at[1]], &c = place[at[2]];
-      volume[bodies.of(at[0])] += dot(a, cross(b, c));
-      area[bodies.of(at[0])] += length(cross(minus(b, a), minus(c, a)));
+      volume[bodies.of(at[0])] += scalar_product(a, vector_product(b, c));
+      area[bodies.of(at[0])] += length(vector_product(minus(b, a), minus(c, a)));
     }
   }
   std::sort(edges.begin(), edges.end(),
@@ -204,7 +206,7 @@ std::vector<Outside> find_outsides(const SourceModel& model) {
   std::map<std::uint32_t, Vector> enclosed;
   for (const Edge& edge : rims) {
     Vector& sum = enclosed[openings.of(edge.low)];
-    const Vector across = cross(place[edge.low], place[edge.high]);
+    const Vector across = vector_product(place[edge.low], place[edge.high]);
     for (std::size_t k = 0; k < 3; ++k) sum[k] += edge.direction * across[k];
   }
   std::vector<double> opening(corners.positions);  // twice the area of all openings of a body
@@ -219,7 +221,7 @@ std::vector<Outside> find_outsides(const SourceModel& model) {
       const std::uint32_t* at = &corners.position[3 * t];
       const std::uint32_t body = bodies.of(at[0]);
       outside.is_closed = outside.is_closed && !is_open[body] && volume[body] > 0;
-      const double own = length(cross(minus(place[at[1]], place[at[0]]), minus(place[at[2]], place[at[0]])));
+      const double own = length(vector_product(minus(place[at[1]], place[at[0]]), minus(place[at[2]], place[at[0]])));
       whole += own;
       if (area[body] > 0) open += own * std::min(opening[body] / area[body], 1.0);
     }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "image/resample.hpp"
-#include "import/vectors.hpp"
+#include "motion/affine.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -38,7 +38,7 @@ struct Lighting {
   /// Returns the light on a surface. `seen`: the share of light from all sides that reaches it.
   double on(const Vector& normal, double seen) const {
     double light = ambient * seen;
-    for (const Beam& beam : beams) light += beam.strength * std::max(dot(normal, beam.towards), 0.0);
+    for (const Beam& beam : beams) light += beam.strength * std::max(scalar_product(normal, beam.towards), 0.0);
     return light;
   }
 };
@@ -132,7 +132,7 @@ std::optional<LaidTriangle> lay(const SourceMesh& mesh, const std::uint32_t* cor
   const double u1 = laid.at[1].u - laid.at[0].u, v1 = laid.at[1].v - laid.at[0].v;
   const double u2 = laid.at[2].u - laid.at[0].u, v2 = laid.at[2].v - laid.at[0].v;
   const double area = u1 * v2 - u2 * v1;
-  const Vector face = unit(cross(p, q));
+  const Vector face = unit(vector_product(p, q));
   if (!(std::abs(area) > 1e-9) || !std::isfinite(area)) return std::nullopt;
   laid.along_u = unit(sum(p, v2 / area, q, -v1 / area, {}, 0));
   laid.against_v = unit(sum(p, u2 / area, q, -u1 / area, {}, 0));

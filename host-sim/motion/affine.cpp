@@ -42,6 +42,14 @@ Vector vector_product(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+Vector unit(const Vector& v) {
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (!(largest > 0)) return {};
+  const Vector scaled{v[0] / largest, v[1] / largest, v[2] / largest};
+  const double length = std::hypot(scaled[0], scaled[1], scaled[2]);
+  return {scaled[0] / length, scaled[1] / length, scaled[2] / length};
+}
+
 Affine operator*(const Affine& a, const Affine& b) {
   Affine product;
   for (std::size_t row = 0; row < 3; ++row) {

@@ -15,6 +15,8 @@ struct Affine {
 
 double scalar_product(const Vector& a, const Vector& b);
 Vector vector_product(const Vector& a, const Vector& b);
+/// Returns the unit vector; zeros for zeros. Precise for lengths whose squares are no doubles.
+Vector unit(const Vector& v);
 
 /// Returns the map that applies `b` first, then `a`.
 Affine operator*(const Affine& a, const Affine& b);
