@@ -17,8 +17,8 @@ constexpr const char* kCounted = R"(
 with, `memcpy`, `memmove` and `memset`, libgcc, padding. Linked with `--gc-sections`.
 
 **Not counted**: the scene's tables (vertices, triangles, texels, materials, the program's constants that name them;
-column `tables` of the CSV); start-up code, vector table and driver, which the programs do not have; what prints, in
-place of which is an empty function; RAM, stack.
+column `tables` of the CSV); start-up code, vector table and driver, which the programs do not have; code that prints,
+which an empty function replaces; RAM, stack.
 
 ## What takes them
 On a Cortex-M3:
@@ -26,12 +26,12 @@ On a Cortex-M3:
 )";
 
 constexpr const char* kGroupsExplained = R"(
-Groups are those of functions by name (`tests/flash/groups.cpp`). What the compiler has inlined counts for the function
-that it is of, as its debug information says, not for its caller; inlined arithmetic counts for what needs it. With -O2
-a function of the core that is no template counts as a whole. Link time optimisation makes this less sure: code of two
-functions that is merged is one of the two. So a group says where to look, and the difference of two programs what a
-feature takes: clipping brings spans in 64 bits and a division from libgcc along. A figure within its tolerance keeps
-its recorded value, so that groups add up to their program only nearly.
+Functions are grouped by name (`tests/flash/groups.cpp`). Inlined code counts for the function that it was inlined from,
+by the debug information, not for the caller; inlined arithmetic counts for the code that needs it. With -O2 functions
+of the core that are not templates count as a whole. Link time optimisation makes this less exact: code that it merges
+counts for one function only. So a group says where to look, and the difference of two programs says what a feature
+takes: clipping, for example, also needs spans in 64 bits and a division from libgcc. A figure within its tolerance
+keeps its recorded value, so the sum of the groups may differ a little from the program.
 )";
 
 /// With a comma before each three digits.

@@ -254,7 +254,7 @@ std::vector<BenchTable> visibility_tables() {
   return {
       {"midpoint", "Hierarchical z and midpoint subdivision",
        "Frame 7 of three workloads. Instructions of a frame on x86-64.", host, visibility("midpoint")},
-      {"thesis", "Painter, z-buffer and their combination", "Likewise; `front-to-back` is the combination.", host,
+      {"thesis", "Painter, z-buffer and their combination", "The same frame; `front-to-back` is the combination.", host,
        visibility("thesis")},
       {"depth-bits", "What each format of depth tells apart",
        "48 pairs of squares that face the camera; wrong allows no tolerance of depth.", host, visibility("depth-bits")},

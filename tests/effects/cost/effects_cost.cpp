@@ -139,9 +139,9 @@ std::string page(const measured::Table& table) {
   std::ostringstream text;
   text << "# What each effect costs\n\nMeasured by `tests/measure effects`; [effects](../effects.md#what-each-costs) "
           "says\n"
-          "how, and [effects.csv](effects.csv) has the same figures. Of Cortex-M0 / M3 / M4F, instructions also of "
-          "this\n"
-          "host, x86-64: more with the effect than without.\n\n"
+          "how, and [effects.csv](effects.csv) has the same figures. What the effect adds, on a Cortex-M0 / M3 / "
+          "M4F;\n"
+          "instructions also on this host, x86-64.\n\n"
        << notes_of(table)
        << "\n| Effect | Flash, bytes | RAM, bytes | Instructions a frame | of | each |\n|---|---|---|---|---|---|\n";
   for (const std::string& effect : effects_in(table)) {

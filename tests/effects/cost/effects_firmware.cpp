@@ -156,14 +156,13 @@ std::string beside(const Comparison& comparison) {
 
 std::string page(const measured::Table& table) {
   std::ostringstream text;
-  text
-      << "# The same firmware with and without each effect\n\nMeasured by `tests/measure effects-firmware`;\n"
-         "[effects](../effects.md#the-same-firmware-with-and-without-it) says how, and\n"
-         "[effects-firmware.csv](effects-firmware.csv) has the figures themselves. Of Cortex-M0 / M3 / M4F: bytes and\n"
-         "instructions more with the effect than without.\n\n"
-      << notes_of(table)
-      << "\n| Effect | Beside | `.text` | `.rodata` | `.data` | `.bss` | Instructions a frame |\n"
-         "|---|---|---|---|---|---|---|\n";
+  text << "# The same firmware with and without each effect\n\nMeasured by `tests/measure effects-firmware`;\n"
+          "[effects](../effects.md#the-same-firmware-with-and-without-it) says how, and\n"
+          "[effects-firmware.csv](effects-firmware.csv) has the figures themselves. Bytes and instructions that the\n"
+          "effect adds, on a Cortex-M0 / M3 / M4F.\n\n"
+       << notes_of(table)
+       << "\n| Effect | Beside | `.text` | `.rodata` | `.data` | `.bss` | Instructions a frame |\n"
+          "|---|---|---|---|---|---|---|\n";
   for (const std::string& effect : effects_in(table)) {
     text << "| `" << effect << "` | " << beside(comparison_of(effect)) << " |";
     for (std::size_t column = 3; column < table.columns.size(); column += 2) {
