@@ -21,7 +21,7 @@ std::vector<std::uint64_t> words_for(std::size_t bytes) {
 std::string reason(const Status& status) {
   switch (status.error) {
     case Error::blob_damaged:
-      return "is no whole baked scene (byte " + std::to_string(status.needed) + "); bake it again: zstrip bake";
+      return "is not a complete baked scene (byte " + std::to_string(status.needed) + "); bake it again: zstrip bake";
     case Error::blob_version:
       return "is a baked scene of version " + std::to_string(status.needed) + ", and this program reads version " +
              std::to_string(status.available) + "; bake it again: zstrip bake MODEL -o FILE.zsc";

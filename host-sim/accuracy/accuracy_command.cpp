@@ -194,8 +194,8 @@ Result<Done> retabulate(const fs::path& recorded, const fs::path& folder) {
   try {
     return write(folder / "accuracy.md", accuracy_tables(*settings, *causes));
   } catch (const std::logic_error& error) {  // thrown by std::stod
-    return Failure{ExitStatus::input, fmt::format("'{}' or '{}' has a field that is no number ({})", settings->file(),
-                                                  causes->file(), error.what())};
+    return Failure{ExitStatus::input, fmt::format("'{}' or '{}' has a field that is not a number ({})",
+                                                  settings->file(), causes->file(), error.what())};
   }
 }
 

@@ -51,7 +51,7 @@ Result<RecordedTable> RecordedTable::read(const std::string& file, const std::ve
   table.names_ = fields_of(line);
   if (table.names_.size() < first.size() || !std::equal(first.begin(), first.end(), table.names_.begin())) {
     return Failure{ExitStatus::input,
-                   fmt::format("'{}' is no table of accuracy figures: its columns do not begin with {}", file,
+                   fmt::format("'{}' is not a table of accuracy figures: its columns do not begin with {}", file,
                                fmt::join(first, ", "))};
   }
   while (std::getline(csv, line)) {
@@ -87,7 +87,7 @@ Result<std::vector<Campaign>> recorded_campaigns(const RecordedTable& table) {
       campaigns.back().points.push_back(std::move(point));
     } catch (const std::exception& error) {
       return Failure{ExitStatus::input,
-                     fmt::format("'{}' is no table of accuracy figures: {} in the line of {}, {}", table.file(),
+                     fmt::format("'{}' is not a table of accuracy figures: {} in the line of {}, {}", table.file(),
                                  error.what(), table.field(row, "scene"), table.field(row, "settings"))};
     }
   }

@@ -32,7 +32,7 @@ constexpr std::uint64_t kMaxChecks = std::uint64_t{1} << 22;
 
 struct Motion {
   std::uint32_t poses;   ///< number of frames to check
-  const char* name;      ///< "a turn"
+  const char* name;      ///< "a rotation"
   std::string where;     ///< ClippingRecord::where
   bool is_part = false;  ///< the poses are a part of a rotation, which has further poses between them
 };
@@ -191,9 +191,9 @@ ClippingRecord find_clipping(const BakedScene& baked, bool turntable) {
     return checked(baked, {1, "", baked.skins.meshes.empty() ? "however it morphs" : "wherever its joints move"});
   }
   if (!turntable) return stays("without --turntable it is not known how the scene moves");
-  if (baked.turn.what == Turning::nothing) return stays("nothing turns, so that a program would move the camera");
+  if (baked.turn.what == Turning::nothing) return stays("nothing rotates, so the program has to move the camera");
   const std::uint32_t poses = affordable(kPosesOfTurn, instances);
-  return checked(baked, {poses, "a turn", "in any pose of a turn", poses != kPosesOfTurn});
+  return checked(baked, {poses, "a rotation", "in any pose of a rotation", poses != kPosesOfTurn});
 }
 
 }  // namespace zstrip::sim

@@ -13,7 +13,7 @@ namespace zstrip::sim {
 struct ClippingRecord {
   bool left_out = false;    ///< kEffects has effect::unclipped
   std::uint32_t poses = 0;  ///< number of poses that were checked
-  std::string where;        ///< if it is left out, the poses: "in any pose of a turn"
+  std::string where;        ///< if it is left out, the poses: "in any pose of a rotation"
   std::string why;          ///< if clipping stays: the instance and pose that need it, or why nothing was checked
 };
 

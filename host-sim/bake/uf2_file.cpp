@@ -16,7 +16,7 @@ std::uint32_t word(std::span<const std::uint8_t> block, std::size_t at) {
 }
 
 Failure no(const pico::Board& board, const std::string& why) {
-  return {ExitStatus::input, fmt::format("is no .uf2 file for the {}'s flash: {}", board.called, why)};
+  return {ExitStatus::input, fmt::format("is not a .uf2 file for the {}'s flash: {}", board.called, why)};
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ Failure no(const pico::Board& board, const std::string& why) {
 Result<pico::Pages> read_uf2(std::span<const std::uint8_t> file, const pico::Board& board) {
   using namespace pico;
   if (file.empty() || file.size() % kBlock != 0) {
-    return no(board, fmt::format("it has {} bytes, which are no whole blocks of {}", file.size(), kBlock));
+    return no(board, fmt::format("its {} bytes are not a multiple of {}", file.size(), kBlock));
   }
   const std::size_t blocks = file.size() / kBlock;
   Pages pages;

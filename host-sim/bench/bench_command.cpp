@@ -127,7 +127,8 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
       return Failure{ExitStatus::usage, no_model_on(name, target, board)};
     }
     if (workload->is_model() && options.peers) {
-      return Failure{ExitStatus::usage, fmt::format("{} is no scene that other renderers have here", name)};
+      return Failure{ExitStatus::usage,
+                     fmt::format("{} cannot be drawn by the other renderers; leave out --peers", name)};
     }
     if (workload->built_in() == nullptr) {
       return Failure{ExitStatus::environment,

@@ -81,7 +81,7 @@ Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::
     return usage("--camera says all about the camera; leave --eye, --orbit, --fov and --ortho out");
   }
   if (camera.name && kind_of_scene(scene) != SceneKind::model) {
-    return usage(fmt::format("--camera is for model files; '{}' is none", scene));
+    return usage(fmt::format("--camera is for model files; '{}' is not one", scene));
   }
   return camera;
 }

@@ -12,7 +12,9 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "cli/print.hpp"
 #include "cli/usage_error.hpp"
@@ -51,6 +53,12 @@ int parse_and_run(int argc, char** argv, void (*add_commands)(CLI::App& app, int
     } else {
       return print_failure({ExitStatus::usage, usage_error(app, error)});
     }
+  } catch (const std::invalid_argument& error) {
+    // CLI11 gives the value of a flag, as in --dither=strong, to std::stoll.
+    if (std::string_view(error.what()) != "stoll") throw;
+    return print_failure({ExitStatus::usage,
+                          "an option that is on or off has a value that is neither true nor false; leave the value "
+                          "out, as in --dither"});
   }
   if (app.get_subcommands().empty() && app.count("--version") + app.count("--help") == 0) {
     return print_failure({ExitStatus::usage, "a command is missing; see 'zstrip --help'"});

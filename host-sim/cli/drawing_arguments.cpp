@@ -26,8 +26,7 @@ Result<Done> fit_strips_to_panel(Drawing& drawing) {
   const std::uint16_t step = row_step(*drawing.panel);
   if (step == 1) return Done{};
   if (drawing.budget.strip_rows == 0) {
-    const bool all = drawing.budget.bytes == 0 || drawing.ram_limit == RamLimit::usual;
-    drawing.budget.strip_rows = all ? drawing.view.height : step;
+    drawing.budget.strip_rows = drawing.budget.bytes == 0 ? drawing.view.height : step;
   } else if (drawing.budget.strip_rows % step != 0) {
     return usage(fmt::format("--strip-rows {}: a {} takes multiples of {} rows", drawing.budget.strip_rows,
                              drawing.panel->kind->name, step));

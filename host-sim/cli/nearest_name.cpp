@@ -44,7 +44,7 @@ std::string unknown_value(std::string_view text, std::span<const std::string_vie
   const std::string_view instead = instead_of(text);
   const std::string reason = !instead.empty() ? fmt::format("is gone: {}.", instead)
                              : are_numbers(names) && !whole_number(text)
-                                 ? "is no number."
+                                 ? "is not a number."
                                  : fmt::format("is unknown, did you mean {}?", nearest_name(text, names));
   return fmt::format("'{}' {} Known are {}", text, reason, fmt::join(names, ", "));
 }

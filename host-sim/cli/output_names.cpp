@@ -56,7 +56,7 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
   names.format = format;
   std::error_code ignored;
   if (output == "-") {
-    return Failure{ExitStatus::usage, "-o '-' is no file; name /dev/stdout for standard output"};
+    return Failure{ExitStatus::usage, "-o '-' is not a file; name /dev/stdout for standard output"};
   }
   if (output) {
     names.path = *output;
@@ -68,7 +68,7 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
     // A file of another kind is not overwritten, unless its type is given.
     if (!by_name && is_of_files(ending) && (!is_there || (std::filesystem::is_regular_file(status) && !type))) {
       return Failure{ExitStatus::usage,
-                     fmt::format("-o '{0}': '{1}' is no picture type; files end in .png, .apng (all frames in one), "
+                     fmt::format("-o '{0}': '{1}' is not a picture type; files end in .png, .apng (all frames in one), "
                                  ".jpg, .ppm, .pgm or .raw, and '{0}/' is a folder",
                                  *output, ending)};
     }

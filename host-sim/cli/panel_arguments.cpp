@@ -77,9 +77,9 @@ Result<PanelModule> parse_module(const std::string& size, const PanelKind& kind,
     if (wanted->first == width && wanted->second == height) return module;
     sizes.push_back(fmt::format("{}x{}", width, height));
   }
-  return usage(fmt::format("--size {}: {} on a {} are {}{}", size, sideways ? "pictures turned sideways" : "pictures",
+  return usage(fmt::format("--size {}: {} on the {} are {}{}", size, sideways ? "rotated pictures" : "pictures",
                            kind.name, fmt::join(sizes, ", "),
-                           sideways ? "" : "; --rotation 90 or 270 turns them sideways"));
+                           sideways ? "" : "; --rotation 90 or 270 exchanges width and height"));
 }
 
 Result<hal::PixelFormat> parse_panel_format(const std::string& text, const PanelKind& kind) {
@@ -90,7 +90,7 @@ Result<hal::PixelFormat> parse_panel_format(const std::string& text, const Panel
     if (each == hal_format(*format)) return each;
     names.emplace_back(name(core_format(each)));
   }
-  return usage(fmt::format("--format {}: a {} takes {}", text, kind.name, fmt::join(names, " or ")));
+  return usage(fmt::format("--format {}: the {} takes {}", text, kind.name, fmt::join(names, " or ")));
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
                               : arguments.mirror   ? "--mirror"
                               : arguments.changes  ? "--changes"
                                                    : nullptr;
-    if (alone != nullptr) return usage(fmt::format("{} is an option of a panel: --panel says which", alone));
+    if (alone != nullptr) return usage(fmt::format("{} needs --panel with the name of a panel", alone));
     return std::optional<PanelRequest>{};
   }
   const Result<const PanelKind*> kind = parse_kind(*arguments.panel);

@@ -58,7 +58,7 @@ Result<Reduction> parse_reduction(const ReductionArguments& arguments, const std
   }
   const bool given = arguments.texture_size || arguments.triangles;
   if (given && kind_of_scene(scene) != SceneKind::model) {
-    return usage(fmt::format("{} is for model files; '{}' is none",
+    return usage(fmt::format("{} is for model files; '{}' is not one",
                              arguments.texture_size ? "--texture-size" : "--triangles", scene));
   }
   return reduction;

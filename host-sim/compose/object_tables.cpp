@@ -114,7 +114,7 @@ FileInstance read_instance(TomlTable& table) {
   instance.billboard = table.choice("billboard", kBillboards).value_or(Billboard::none);
   refuse_rotation(table, instance.billboard);
   if (instance.billboard != Billboard::none && table.has("turntable")) {
-    table.wrong("turntable", "a billboard turns with the camera: it has no 'turntable'");
+    table.wrong("turntable", "a billboard rotates with the camera: it has no 'turntable'");
   }
   if (auto outline = table.table("outline", "[instance.outline]")) {
     instance.outline.emplace();

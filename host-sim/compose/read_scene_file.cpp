@@ -174,7 +174,7 @@ Result<SceneFile> parse_scene_file(const std::string& text, const std::filesyste
   try {
     document = toml::parse(text);
   } catch (const toml::parse_error& error) {
-    return at_line(path, static_cast<int>(error.source().begin.line), std::string(error.description()));
+    return at_line(path, static_cast<int>(error.source().begin.line), fmt::format("not TOML: {}", error.description()));
   }
   TomlErrors errors(path);
   TomlTable root(document, "a scene", errors);

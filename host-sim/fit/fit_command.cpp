@@ -100,7 +100,7 @@ Result<Done> run(const Arguments& arguments) {
   if (!named) return named.failure();
   const BoardModel* const board = *named;
   if (kind_of_scene(arguments.scene) != SceneKind::model) {
-    return usage(fmt::format("fit makes model files smaller; '{}' is none", arguments.scene));
+    return usage(fmt::format("fit makes model files smaller; '{}' is not a model file", arguments.scene));
   }
   const Result<FitLimits> limits = parse_limits(arguments, *board);
   if (!limits) return limits.failure();

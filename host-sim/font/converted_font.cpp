@@ -70,7 +70,7 @@ class Converter {
     library_.reset(library);
     FT_Face face = nullptr;
     if (FT_New_Memory_Face(library, bytes_.data(), static_cast<FT_Long>(bytes_.size()), 0, &face) != 0) {
-      return wrong("is no font that FreeType reads; TrueType and OpenType are");
+      return wrong("is not a font that FreeType reads; give a TrueType or OpenType font");
     }
     face_.reset(face);
     if (!FT_IS_SCALABLE(face)) return wrong("has no outlines that could be drawn at any size");

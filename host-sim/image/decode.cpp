@@ -137,7 +137,7 @@ Result<RgbImage> decode_image(std::span<const std::uint8_t> file) {
   if (is_webp(file)) return decode_webp(file);
   if (is_bitmap(file)) return decode_bitmap_or_targa(file, "BMP");
   if (is_targa(file)) return decode_bitmap_or_targa(file, "TGA");
-  return Failure{ExitStatus::input, "is no picture in PNG, JPEG, WebP, BMP or TGA"};
+  return Failure{ExitStatus::input, "is not a picture in PNG, JPEG, WebP, BMP or TGA"};
 }
 
 }  // namespace zstrip::sim

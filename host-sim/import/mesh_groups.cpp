@@ -149,7 +149,7 @@ void MeshGroups::add_segments(const SourcePrimitive& primitive) {
 Result<Done> MeshGroups::finish() {
   if (kept_ == 0 && triangles_seen_ + segments_seen_ > 0) {
     return Failure{ExitStatus::input,
-                   "has no drawable triangle, line or point: none with finite corners and, of triangles, an area; "
+                   "has no drawable triangle, line or point: corners are not finite, or triangles have no area; "
                    "repair the model"};
   }
   if (kept_ == 0) return Failure{ExitStatus::input, "has no triangles, lines or points; export it as a surface"};

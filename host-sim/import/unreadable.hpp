@@ -11,7 +11,8 @@ namespace zstrip::sim {
 
 /// Returns a message that begins with a verb; the reason stands in brackets.
 inline Failure unreadable_model(const std::string& reason) {
-  return {ExitStatus::input, fmt::format("is no readable model ({}); export it again, for example as .glb", reason)};
+  return {ExitStatus::input,
+          fmt::format("cannot be read as a model ({}); export it again, for example as .glb", reason)};
 }
 
 }  // namespace zstrip::sim

@@ -22,7 +22,7 @@ std::string reason(const Status& status, std::span<const std::uint8_t> bytes) {
       if (status.needed == kKind && bytes.size() > kKind && bytes[kKind] == 'v') {
         return "holds visible sets and no scene; name the scene, and this file with --visible-sets";
       }
-      return fmt::format("is no whole baked scene (byte {}); bake it again", status.needed);
+      return fmt::format("is not a complete baked scene (byte {}); bake it again", status.needed);
     case Error::blob_version:
       return fmt::format(
           "is a baked scene of version {}, and this zstrip reads version {}; bake it again from its model or scene "

@@ -24,7 +24,7 @@ Result<const NodeAnimation*> find_animation(const Model& model, const std::optio
   for (const NodeAnimation& animation : all) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", animation.name);
   return Failure{ExitStatus::input,
                  fmt::format("there is no animation '{}' in the file; {}", *name,
-                             names.empty() ? "it has none that moves nodes, or is no glTF 2.0" : "it has " + names)};
+                             names.empty() ? "it has none that moves nodes, or is not glTF 2.0" : "it has " + names)};
 }
 
 Affine moved_from_rest(const Model& model, const NodeAnimation& animation, std::int32_t node, double seconds) {

@@ -50,7 +50,7 @@ Failure too_little_memory(const Status& status, const Scene& scene, const View& 
     advice += "; meshes cut into meshlets, as in knot_meshlets and all model files, need far less for vertices";
   }
   return {ExitStatus::budget,
-          fmt::format("{} of RAM will not do: {} needed, most of them for {}, {} missing; {}",
+          fmt::format("RAM of {} is too little: {} needed, most of them for {}, {} missing; {}",
                       counted(budget.bytes, "byte"), counted(status.needed, "byte"), name(status.purpose),
                       counted(status.needed - status.available, "byte"), advice)};
 }

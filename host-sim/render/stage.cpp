@@ -242,7 +242,7 @@ class ModelStage : public CameraStage {
     for (const SourceCamera& source : cameras) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", source.name);
     return Failure{ExitStatus::input,
                    fmt::format("there is no camera '{}' in the file; {}", name,
-                               names.empty() ? "it has none, or is no glTF 2.0" : "it has " + names)};
+                               names.empty() ? "it has none, or is not glTF 2.0" : "it has " + names)};
   }
 
   std::shared_ptr<const Model> model_;

@@ -143,7 +143,7 @@ std::string bake_summary(const BakeRecord& record) {
   text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, format_words(record.view),
                       shape(record.plan, record.view));
   text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view), method),
-                      record.strip_buffers == 2 ? ", twice" : "");
+                      record.strip_buffers == 2 ? ", times 2 buffers" : "");
   if (const SkinRam& skin = record.skin_ram; skin.vertices > 0) {
     const auto part = [](std::uint64_t bytes, const char* of) {
       return bytes > 0 ? fmt::format(", {} for the {}", grouped(bytes), of) : std::string();
@@ -158,7 +158,7 @@ std::string bake_summary(const BakeRecord& record) {
                                                    : counted(record.method->splits, "cut") + " through triangles");
   }
   if (record.lent_bytes) {
-    text += fmt::format("             and {} to lend for the tables (with addresses of 32 bits)\n",
+    text += fmt::format("             and {} for tables of the opened blob (with addresses of 32 bits)\n",
                         counted(*record.lent_bytes, "byte"));
   }
   text += fmt::format("  written    {}\n", printable(record.output));

@@ -32,7 +32,7 @@ std::string panel(const RunRecord& run) {
                            ->bus;
   const double milliseconds = 1e-6 * static_cast<double>(most.nanoseconds);
   return fmt::format("{}{}{}, {}: {} in {:.2f} ms a frame, at most {:.1f} frames/s", run.panel->name,
-                     run.panel->rotation != 0 ? fmt::format(" turned by {}", run.panel->rotation) : "",
+                     run.panel->rotation != 0 ? fmt::format(" rotated by {}", run.panel->rotation) : "",
                      run.panel->mirrored ? " mirrored" : "", run.panel->bus, counted(most.bytes, "byte"), milliseconds,
                      1e3 / milliseconds);
 }
@@ -74,7 +74,7 @@ std::string summary(const RunRecord& run) {
                                  run.view.width, run.view.height, format_words(run.view));
   text += fmt::format("  triangles  {}, of which drawn {}\n", grouped(first.statistics.triangles),
                       range(run, [](const FrameReport& report) { return report.statistics.drawn; }));
-  text += fmt::format("  fragments  {}, of which seen when drawn {}\n",
+  text += fmt::format("  fragments  {}, of which passed the depth test {}\n",
                       range(run, [](const FrameReport& report) { return report.statistics.fragments; }),
                       range(run, [](const FrameReport& report) { return report.statistics.depth_passes; }));
   text += fmt::format("  bounds     {}\n", bounds(run));

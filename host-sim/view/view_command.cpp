@@ -37,7 +37,7 @@ Result<std::vector<Input>> parse_inputs(const std::string& words) {
   std::istringstream stream(words);
   for (std::string word; std::getline(stream, word, ',');) {
     const std::optional<Input> input = parse_input(word);
-    if (!input) return usage(fmt::format("--press '{}' is no key, drag=X:Y, click=X:Y or wheel=N", word));
+    if (!input) return usage(fmt::format("--press '{}' is not a key, drag=X:Y, click=X:Y or wheel=N", word));
     inputs.push_back(*input);
   }
   return inputs;

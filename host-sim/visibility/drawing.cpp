@@ -23,7 +23,7 @@ Result<Plan> planned(const Staging& staging, const MethodRequest& request, Effec
   const auto [status, plan] = zstrip::plan(count(staging.scene), request.view, effects, request.budget);
   if (status) return plan;
   if (status.error == Error::arena_too_small) {
-    return Failure{ExitStatus::budget, fmt::format("{} of RAM will not do: {} needed, most of them for {}",
+    return Failure{ExitStatus::budget, fmt::format("RAM of {} is too little: {} needed, most of them for {}",
                                                    counted(request.budget.bytes, "byte"),
                                                    counted(status.needed, "byte"), name(status.purpose))};
   }

@@ -120,10 +120,10 @@ TEST_F(MeasuredAccuracyTables, FilesThatAreNoTablesAreRefused) {
   };
   const std::string settings = "scene,settings,perceived\ncube,default,1\n";
   const std::string causes = "scene,cause,settings,perceived\ncube,depth,default,";
-  expect_refused("# A title\n", causes + "1\n", "accuracy.csv' is no table of accuracy figures");
+  expect_refused("# A title\n", causes + "1\n", "accuracy.csv' is not a table of accuracy figures");
   expect_refused("", causes + "1\n", "accuracy.csv' cannot be read");
-  expect_refused(settings, "scene\ncube\n", "accuracy-causes.csv' is no table of accuracy figures");
-  expect_refused(settings, causes + "much\n", "has a field that is no number");
+  expect_refused(settings, "scene\ncube\n", "accuracy-causes.csv' is not a table of accuracy figures");
+  expect_refused(settings, causes + "much\n", "has a field that is not a number");
 }
 
 TEST(MeasuredAccuracy, ErrorsAndMemoryAreThoseOfAFreshRun) {

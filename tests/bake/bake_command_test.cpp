@@ -386,11 +386,11 @@ TEST_F(Bake, DamagedBlobsAreInputErrors) {
     }
   };
   expect("", "byte 0");
-  expect(whole.substr(0, whole.size() / 2), "is no whole baked scene");
-  expect(whole + "more", "is no whole baked scene (byte 4)");
+  expect(whole.substr(0, whole.size() / 2), "is not a complete baked scene");
+  expect(whole + "more", "is not a complete baked scene (byte 4)");
   std::string flipped = whole;
   flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
-  expect(flipped, "is no whole baked scene (byte 8)");
+  expect(flipped, "is not a complete baked scene (byte 8)");
   std::string other = whole;
   for (const int version : {3, 4, 6}) {
     other[2] = static_cast<char>(version);

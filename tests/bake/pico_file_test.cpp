@@ -241,7 +241,7 @@ TEST_F(BakePico, ProgramsThatWouldNotShowItAreRefused) {
   refused("house.zsc", good, 2, "--with is the program of a file for the Raspberry Pi Pico");
   refused("x.uf2", file_of(program(), "pico2.uf2", kPico2), 4, "block 0 is not for the RP2040");
   refused("x.uf2", "nothing.uf2", 4, "does not exist");
-  refused("x.uf2", file("text.uf2", "text"), 4, "is no .uf2 file");
+  refused("x.uf2", file("text.uf2", "text"), 4, "is not a .uf2 file");
   refused("x.uf2", file_of({{pico::kFlash, page_of(1)}}, "other.uf2"), 4, "is not the program");
   Pages without_boot_stage = program();
   without_boot_stage.erase(pico::kFlash);

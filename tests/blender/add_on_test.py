@@ -425,7 +425,7 @@ class WithTheCommand(InFolder):
 
     def test_an_error_is_one_line_without_the_program_before_it(self):
         settings = command.Settings(64, 64, ram='1')
-        with self.assertRaisesRegex(command.CommandError, '^1 byte of RAM will not do.*smallest that works$'):
+        with self.assertRaisesRegex(command.CommandError, '^RAM of 1 byte is too little.*smallest that works$'):
             command.checked(self.run_command(command.render_words(ZSTRIP, self.model(), self.path('p.ppm'), settings)))
 
 

@@ -41,7 +41,7 @@ void judge_reading(std::span<const std::uint8_t> file, const pico::Board& board)
   const auto pages = sim::read_uf2(file, board);
   if (pages) return judge_pages(file, board, *pages);
   fuzz::require(pages.failure().status == sim::ExitStatus::input, "a damaged file is the input's fault");
-  fuzz::require(pages.failure().message.starts_with("is no .uf2 file"), "a failure says what the file is not: %s",
+  fuzz::require(pages.failure().message.starts_with("is not a .uf2 file"), "a failure says what the file is not: %s",
                 pages.failure().message.c_str());
 }
 

@@ -230,7 +230,7 @@ TEST_F(BadInput, Options) {
   usage("not in range 1 to 10000", {"render", "teapot", "--frames", "-1"});
   usage("not in range 1 to 10000", {"render", "teapot", "--frames", "99999999999"});
   usage("not in range 1 to 256", {"render", "teapot", "--threads", "-1"});
-  usage("'.txt' is no picture type", {"render", "teapot", "-o", "x.txt"});
+  usage("'.txt' is not a picture type", {"render", "teapot", "-o", "x.txt"});
   usage("--eye", {"render", "teapot", "--eye", "1,2"});
   usage("--eye", {"render", "teapot", "--eye", "0,0,3", "--orbit", "3,0,90"});
   usage("--eye", {"render", "teapot", "--eye", "0,0,0"});
@@ -238,11 +238,12 @@ TEST_F(BadInput, Options) {
   usage("--look-at", {"render", "teapot", "--look-at", "0,0,0"});
   usage("--fov", {"render", "teapot", "--eye", "0,0,3", "--fov", "180"});
   usage("--up", {"render", "teapot", "--up", "z"});
+  usage("neither true nor false; leave the value out", {"render", "teapot", "--dither=strong"});
   usage("--highlights", {"render", "teapot", "--highlights"});
   usage("--plain-materials", {"render", "teapot", "--plain-materials"});
   usage("picture.png", {"render", "teapot", "-o", "picture.png", "--frames", "2"});
   usage("--bogus", {"render", "teapot", "--bogus"});
-  usage("--samples: 'four' is no number. Known are 1, 2, 4", {"render", "teapot", "--samples", "four"});
+  usage("--samples: 'four' is not a number. Known are 1, 2, 4", {"render", "teapot", "--samples", "four"});
   usage("did you mean 4?", {"render", "teapot", "--samples", "8"});
   usage("--mode: 'stremed' is unknown, did you mean streamed?", {"plan", "teapot", "--mode", "stremed"});
   usage("--sort-key: 'far' is unknown", {"render", "teapot", "--sort-key", "far"});
@@ -317,7 +318,7 @@ TEST_F(BadInput, TooManyRowsForTheMemory) {
 
 TEST_F(BadInput, TooLittleForWholeMeshesNamesMeshlets) {
   expect_failure(ExitStatus::budget, "meshlets", {"render", "knot", "--ram", "20K"});
-  expect_failure(ExitStatus::budget, "1 byte of RAM", {"render", "knot", "--ram", "1"});
+  expect_failure(ExitStatus::budget, "RAM of 1 byte is too little", {"render", "knot", "--ram", "1"});
 }
 
 /// The reader of OpenGEX wrote a line of its own.

@@ -37,6 +37,11 @@ TEST_F(Defaults, APictureTakes24KilobytesAndHasTheSamePixelsAsInOneStrip) {
   }
 }
 
+/// A co5300 accepts only pairs of rows: its picture was one strip, which took 875,136 bytes.
+TEST_F(Defaults, APanelThatAcceptsGroupsOfRowsTakes24KilobytesToo) {
+  for (const char* panel : {"co5300", "ssd1306"}) EXPECT_LE(ram(frame("teapot", {"--panel", panel})), kUsual) << panel;
+}
+
 TEST_F(Defaults, RenderPlanAndBakeTakeTheSameBytes) {
   const std::string model = file("ball.obj", sphere_obj(40, 20));
   for (const std::vector<std::string>& options :
@@ -88,7 +93,7 @@ TEST_F(Defaults, ASceneThatNeedsMoreGetsItUnlessALimitIsGiven) {
   EXPECT_GT(ram(frame("cube", {"--size", "2048x16", "--samples", "4"})), kUsual);
   const Outcome refused = zstrip({"render", "cube", "--size", "2048x16", "--samples", "4", "--ram", "24K"});
   EXPECT_EQ(refused.status, 5);
-  EXPECT_NE(refused.err.find("24,576 bytes of RAM will not do"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("RAM of 24,576 bytes is too little"), std::string::npos) << refused.err;
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(Font, CharactersThatItLacksAreSaid) {
 TEST(Font, AnyBytesAreAFontOrAreRefused) {
   const Result<ConvertedFont> none = convert_font({.file = __FILE__, .characters = {'A'}, .replacement = {}});
   ASSERT_FALSE(none);
-  EXPECT_NE(none.failure().message.find("is no font that FreeType reads"), std::string::npos);
+  EXPECT_NE(none.failure().message.find("is not a font that FreeType reads"), std::string::npos);
   EXPECT_FALSE(convert_font({.file = "/nowhere.ttf", .characters = {'A'}, .replacement = {}}));
 }
 

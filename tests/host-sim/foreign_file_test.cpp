@@ -49,7 +49,7 @@ TEST_F(Import, ModelsAreNotTakenForOtherFiles) {
 TEST_F(Import, ReasonsOfReadersDoNotQuoteTheFile) {
   const std::string said = failure(file("a.dae", "<COLLADA version=\"1.4.1\"><asset><SECRET"));
   EXPECT_EQ(said.find("SECRET"), std::string::npos) << said;
-  EXPECT_NE(said.find("is no readable model"), std::string::npos) << said;
+  EXPECT_NE(said.find("cannot be read as a model"), std::string::npos) << said;
 }
 
 }  // namespace

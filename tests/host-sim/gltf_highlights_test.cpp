@@ -116,9 +116,10 @@ TEST_F(GltfHighlights, MissingTextureOfRoughnessIsSaid) {
     EXPECT_TRUE(model) << model.failure().message;
     return model ? model->warnings : std::vector<std::string>();
   };
-  EXPECT_EQ(warnings(Highlights::of_materials),
-            std::vector<std::string>{"texture 'images[0]' is no picture in PNG, JPEG, WebP, BMP or TGA; highlights are "
-                                     "drawn without"});
+  EXPECT_EQ(
+      warnings(Highlights::of_materials),
+      std::vector<std::string>{"texture 'images[0]' is not a picture in PNG, JPEG, WebP, BMP or TGA; highlights are "
+                               "drawn without"});
   EXPECT_TRUE(warnings(Highlights::none).empty());
 }
 

@@ -266,7 +266,7 @@ TEST_F(GltfReader, DamageThatLeavesAPictureIsAWarning) {
            {with(primitive, primitive + R"(,"material":7)"),
             "1 part of meshes drawn without material: theirs does not exist"},
            {with(R"("meshes")", R"("materials":[{"name":"leaf","alphaMode":"Blend"}],"meshes")"),
-            "material 'leaf' drawn opaque: its alphaMode 'Blend' is none of OPAQUE, MASK and BLEND"},
+            "material 'leaf' drawn opaque: its alphaMode 'Blend' is not OPAQUE, MASK or BLEND"},
            {with(R"("meshes")", R"("textures":[{"sampler":0}],"meshes")"),
             "1 texture repeated: the sampler does not exist"},
            {with(R"("meshes")", R"("samplers":[{"wrapS":10497,"wrapT":1}],"meshes")"),

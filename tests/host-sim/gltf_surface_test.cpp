@@ -316,7 +316,7 @@ TEST_F(GltfSurface, PicturesInWebp) {
 TEST_F(GltfSurface, ATextureThatCannotBeReadIsNamed) {
   const Model plain = model(square(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})", kWhole, "nothing"));
   ASSERT_EQ(plain.warnings.size(), 1U);
-  EXPECT_EQ(plain.warnings[0].rfind("texture 'tiles' is no picture in PNG", 0), 0U) << plain.warnings[0];
+  EXPECT_EQ(plain.warnings[0].rfind("texture 'tiles' is not a picture in PNG", 0), 0U) << plain.warnings[0];
 }
 
 /// The back was 49 where the front was 165.

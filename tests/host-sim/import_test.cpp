@@ -214,9 +214,9 @@ TEST_F(Import, WhatReadersLeaveOutIsSaid) {
     std::string name, content, words;  // without words no warning
   } cases[] = {
       {"a.obj", "mtllib gone.mtl\nusemtl a\n" + triangle,
-       "gone.mtl' cannot be opened; what uses them is drawn without"},
+       "gone.mtl' cannot be opened; their surfaces are drawn without them"},
       {"b.OBJ", "mtllib gone.mtl\nusemtl a\n" + triangle,
-       "gone.mtl' cannot be opened; what uses them is drawn without"},
+       "gone.mtl' cannot be opened; their surfaces are drawn without them"},
       {"c.obj", triangle, ""},
       {"d.obj", "mtllib m.mtl\nusemtl a\n" + triangle, ""},
       {"e.ply", ply + corners, ""},

@@ -192,9 +192,9 @@ TEST_F(Import, MaterialsOfObjThatAreNotDefinedAreSaid) {
   const std::string begin = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
   for (const auto& [more, warning] : std::vector<std::pair<std::string, std::string>>{
            {"usemtl b\n", ""},
-           {"usemtl b\nf 3 2 1\n", "material 'b' is not defined; what uses it is drawn without"},
+           {"usemtl b\nf 3 2 1\n", "material 'b' is not defined; surfaces with it are drawn without"},
            {"usemtl c\nf 3 2 1\nusemtl b\nf 1 2 3\n",
-            "material 'b' and 1 more are not defined; what uses them is drawn without"}}) {
+            "material 'b' and 1 more are not defined; surfaces with them are drawn without"}}) {
     const Model read = model(file("m.obj", begin + more));
     EXPECT_EQ(read.warnings, warning.empty() ? std::vector<std::string>{} : std::vector{warning});
   }

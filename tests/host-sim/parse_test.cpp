@@ -77,7 +77,7 @@ TEST(Parse, NumbersThatAreUnknownAreToldTheNearest) {
   EXPECT_EQ(nearest_name("16", kSamples), "4");
   EXPECT_EQ(nearest_name("-3000000", kSamples), "1");
   EXPECT_EQ(unknown_value("3", kSamples), "'3' is unknown, did you mean 2? Known are 1, 2, 4");
-  EXPECT_EQ(unknown_value("four", kSamples), "'four' is no number. Known are 1, 2, 4");
+  EXPECT_EQ(unknown_value("four", kSamples), "'four' is not a number. Known are 1, 2, 4");
 }
 
 TEST(Parse, Words) {
@@ -149,7 +149,7 @@ TEST_F(OutputNamesTest, EndingsThatAreNoPictureTypeAreRefused) {
     return name_outputs("cat", output, {}, type, PixelFormat::rgb565);
   };
   for (const char* output : {"x.txt", "x.gif", "x.pgn", "folder/x.png.txt"}) {
-    expect_usage_error(named(path(output)), "is no picture type; files end in .png, .apng");
+    expect_usage_error(named(path(output)), "is not a picture type; files end in .png, .apng");
   }
   expect_usage_error(named(file("there.txt", "mine")), "'.txt'");
   EXPECT_FALSE(named(file("there.txt", "mine"), ImageType::png)->folder);

@@ -164,9 +164,9 @@ TEST_F(PrintPackage, DamageIsRefusedForWhatItIs) {
   const struct {
     std::string content, words;
   } cases[] = {
-      {"no zip", "is no zip archive"},
+      {"no zip", "is not a zip archive"},
       {zip_of({{"other.txt", "x"}}, true), "lacks '3D/3dmodel.model'"},
-      {zip_of({{"3D/3dmodel.model", "text"}}, true), "is no model of 3MF"},
+      {zip_of({{"3D/3dmodel.model", "text"}}, true), "is not a 3MF model"},
       {zip_of(
            {{"3D/3dmodel.model", part_of("<object id='1'><components><component objectid='1'/></components></object>",
                                          "<item objectid='1'/>")}},

@@ -145,7 +145,7 @@ TEST(SceneFile, Billboards) {
   EXPECT_EQ(failure(kCube + "billboard = 'viewer'\n[[instance.keyframe]]\ntime = 0\nrotation = [0, 0, 30]\n"),
             "'scene.toml' line 9: [[instance.keyframe]]: what faces the viewer has no rotation of its own");
   EXPECT_EQ(failure(kCube + "billboard = 'upright'\nturntable = {}\n"),
-            "'scene.toml' line 7: [[instance]]: a billboard turns with the camera: it has no 'turntable'");
+            "'scene.toml' line 7: [[instance]]: a billboard rotates with the camera: it has no 'turntable'");
 }
 
 TEST(SceneFile, Outlines) {

@@ -91,7 +91,7 @@ inline constexpr zstrip::Camera kCamera{.right = {929904853, 0, -536841194},  //
 inline constexpr zstrip::View kView{240, 240, zstrip::PixelFormat::rgb565_swapped};
 /// All effects that the scene needs: instantiate one pipeline, with these.
 /// No code for clipping is linked. The boxes of all instances stay between the near and the far plane and within a
-/// thousand pixels of the picture's centre, in any pose of a turn.
+/// thousand pixels of the picture's centre, in any pose of a rotation.
 /// If the program moves camera or instances in another way and a box leaves this range, begin_frame returns
 /// Error::clipping; then bake with --clipping on.
 inline constexpr zstrip::Effects kEffects = zstrip::effect::lighting | zstrip::effect::gouraud | zstrip::effect::unclipped | zstrip::effect::shade_gouraud;

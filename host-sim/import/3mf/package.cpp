@@ -155,7 +155,7 @@ Result<PrintPart> read_print_part(std::string_view xml) {
     reader.read(*tag);
     if (reader.is_too_large()) return Failure{ExitStatus::input, "it has too many triangles; simplify the model"};
   }
-  if (!is_model) return Failure{ExitStatus::input, "a part of it is no model of 3MF"};
+  if (!is_model) return Failure{ExitStatus::input, "a part of it is not a 3MF model"};
   return std::move(reader.part());
 }
 

@@ -89,7 +89,7 @@ std::uint32_t PackageReader::texture_of(const PrintPart& part, const PrintGroup&
   Result<RgbImage> picture = bytes ? decode_image({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()})
                                    : Result<RgbImage>(bytes.failure());
   if (!picture) {
-    model_.warnings.push_back(fmt::format("texture '{}' cannot be read: {}; what uses it is drawn without",
+    model_.warnings.push_back(fmt::format("texture '{}' cannot be read: {}; its surfaces are drawn without it",
                                           printable(named->second), picture.failure().message));
     return kNoSourceTexture;
   }
@@ -191,7 +191,7 @@ Result<Done> PackageReader::read_all() {
   }
   if (lost_ > 0) model_.warnings.push_back(fmt::format("{} left out: not in the file", counted(lost_, "object")));
   const bool is_painted = std::ranges::any_of(parts_, [](const auto& each) { return each.second.is_painted; });
-  if (is_painted) model_.warnings.emplace_back("drawn without: colours painted in a slicer, which are no part of 3MF");
+  if (is_painted) model_.warnings.emplace_back("drawn without: colours painted in a slicer, which are not part of 3MF");
   return groups_.finish();
 }
 

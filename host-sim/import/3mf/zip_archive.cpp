@@ -57,7 +57,7 @@ Result<ZipArchive> ZipArchive::open(std::string_view bytes) {
   archive.bytes_ = bytes;
   archive.left_ = std::uint64_t{64} * bytes.size() + (std::uint64_t{64} << 20);
   const std::size_t end = bytes.rfind(kEnd);
-  if (end == std::string_view::npos) return damaged("it is no zip archive, or the end of it is missing");
+  if (end == std::string_view::npos) return damaged("it is not a zip archive, or its end is missing");
   const std::optional<std::size_t> count = number_at(bytes, end + 10, 2), listed = number_at(bytes, end + 16, 4);
   if (!count || !listed) return damaged("its list of files is cut off");
   std::size_t at = *listed;

@@ -162,7 +162,7 @@ std::uint32_t MaterialReader::read_texture(const std::string& name) {
     model_.texture_names.push_back(title);
   } else {
     model_.warnings.push_back(
-        fmt::format("texture '{}' {}; what uses it is drawn without", title, image.failure().message));
+        fmt::format("texture '{}' {}; its surfaces are drawn without it", title, image.failure().message));
   }
   known_textures_.emplace(name, index);
   return index;

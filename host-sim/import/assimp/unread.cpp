@@ -20,11 +20,11 @@ void warn_of_unread(const std::filesystem::path& path, const FilesRead& files, S
   std::set_difference(files.materials.used.begin(), files.materials.used.end(), files.materials.defined.begin(),
                       files.materials.defined.end(), std::back_inserter(undefined));
   if (ending == ".obj" && !files.not_opened.empty()) {
-    model.warnings.push_back(fmt::format("materials '{}' cannot be opened; what uses them is drawn without",
+    model.warnings.push_back(fmt::format("materials '{}' cannot be opened; their surfaces are drawn without them",
                                          printable(files.not_opened.front())));
   } else if (!undefined.empty()) {
     model.warnings.push_back(
-        fmt::format("material '{}'{} not defined; what uses {} is drawn without", printable(undefined.front()),
+        fmt::format("material '{}'{} not defined; surfaces with {} are drawn without", printable(undefined.front()),
                     undefined.size() == 1 ? " is" : fmt::format(" and {} more are", undefined.size() - 1),
                     undefined.size() == 1 ? "it" : "them"));
   }

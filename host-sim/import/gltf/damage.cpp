@@ -47,7 +47,7 @@ void warn_of_scene(const GltfJson& json, std::vector<std::string>& warnings) {
 void warn_of_materials(const GltfJson& json, std::vector<std::string>& warnings) {
   for_each(json, "materials", [&](const GltfJson& material) {
     if (!is_other_word(material, "alphaMode", {"OPAQUE", "MASK", "BLEND"})) return;
-    warnings.push_back(fmt::format("material '{}' drawn opaque: its alphaMode '{}' is none of OPAQUE, MASK and BLEND",
+    warnings.push_back(fmt::format("material '{}' drawn opaque: its alphaMode '{}' is not OPAQUE, MASK or BLEND",
                                    printable(text_in(material, "name")), printable(text_in(material, "alphaMode"))));
   });
 }

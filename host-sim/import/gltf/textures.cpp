@@ -141,7 +141,7 @@ std::uint32_t GltfTextures::read(std::size_t texture) {
     model_.texture_names.push_back(name_of(texture));
   } else {
     model_.warnings.push_back(
-        fmt::format("texture '{}' {}; what uses it is drawn without", name_of(texture), decoded.failure().message));
+        fmt::format("texture '{}' {}; its surfaces are drawn without it", name_of(texture), decoded.failure().message));
   }
   known_.emplace(key, index);
   return index;

@@ -320,8 +320,8 @@ Result<SourceModel> PlyReader::model(const ReadPicture& read_picture, Texcoords 
       model.textures.push_back(std::move(*picture));
       model.texture_names.push_back(header_.texture);
     } else {
-      model.warnings.push_back(fmt::format("texture '{}' {}; what uses it is drawn without", printable(header_.texture),
-                                           picture.failure().message));
+      model.warnings.push_back(fmt::format("texture '{}' {}; its surfaces are drawn without it",
+                                           printable(header_.texture), picture.failure().message));
     }
   }
   part_.has_texcoords = has_texcoords_ && (texcoords == Texcoords::all || material.texture != kNoSourceTexture);
