@@ -13,7 +13,7 @@ using hal::GpioInput;
 using hal::GpioPin;
 using hal::Outcome;
 
-/// Returns a pin without a line if `name` is none; else the result of Pin::request() for the line and `level`.
+/// Returns a pin without a line if there is no `name`; else the result of Pin::request() for the line and `level`.
 template <class Pin, class... Level>
 Outcome<Pin> open_pin(const char* key, const std::optional<std::string>& name, Level... level) {
   if (!name) return Pin();

@@ -140,7 +140,7 @@ std::string accuracy_tables(const RecordedTable& settings, const RecordedTable& 
       causes_at_the_default(causes) +
       "\n## Settings\n"
       "The default has instructions, bytes and errors. Each setting has its change of instructions and bytes, and\n"
-      "its errors. `=` is no change, `-` not measured or without meaning; *code* is the whole program's flash\n"
+      "its errors. `=` means no change, `-` not measured or without meaning; *code* is the whole program's flash\n"
       "on a Cortex-M3.\n";
   for (const std::string& scene : scenes_of(settings)) {
     text += fmt::format("\n### {0}\n![{0}: instructions on a Cortex-M3 against visible error](accuracy-{0}.svg)\n\n",

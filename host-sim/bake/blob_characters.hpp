@@ -24,7 +24,7 @@ class BlobCharacters {
   BlobCharacters(const BlobCharacters&) = delete;
   BlobCharacters& operator=(const BlobCharacters&) = delete;
 
-  /// Poses the joints at many times of each clip, at last at the start of the first one. The failure's message starts
+  /// Poses the joints at many times of each clip, finally at the start of the first one. The failure's message starts
   /// with "the animation".
   Result<Done> pose_all();
 

@@ -104,7 +104,7 @@ std::string prediction_text(const BoardPrediction& p) {
   const auto frames = static_cast<double>(p.frames.size());
   double bus = 0;
   for (const double seconds : p.frames.front().sending) bus += seconds;
-  const double cycles_a_ms = 1e3 * p.board.core_mhz * frames;  // of all frames, for one of each
+  const double cycles_a_ms = 1e3 * p.board.core_mhz * frames;  // summed over all frames, for 1 ms of each frame
   std::string text = fmt::format("{} on {} ({}{}): {} frames a second predicted\n", m.bench_case.workload, p.board.name,
                                  p.board.description, p.cores == 2 ? ", both cores" : "", range(1 / slow, 1 / fast, 1));
   text += fmt::format("  picture: {}x{} RGB565, {} strips of {} rows, {}; arena and pixels {} of {} bytes of RAM\n",

@@ -22,7 +22,7 @@ struct ProjectArguments {
 
 void add_project_options(CLI::App& command, ProjectArguments& arguments);
 
-/// Fails if one of these options is given, because the output is no folder.
+/// Fails if one of these options is given, because the output is not a folder.
 Result<Done> check_no_project(const ProjectArguments& arguments);
 
 /// `output`: the folder, which gives the project its name. Fails for names that no project may have.

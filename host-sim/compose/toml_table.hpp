@@ -94,7 +94,7 @@ class TomlTable {
 
   /// Says what is wrong with the value of a key: "... must be ...".
   void wrong(const char* key, const std::string& message) { errors_.add(line_of(key), title_ + ": " + message); }
-  /// The value of a key is a name that is none of `names`.
+  /// The value of a key is a name that is not in `names`.
   void wrong_name(const char* key, const std::string& given, const char* what, const std::vector<std::string>& names);
   void finish();
 

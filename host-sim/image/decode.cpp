@@ -68,7 +68,7 @@ bool has_mark_of_adobe(std::span<const std::uint8_t> file) {
   return false;
 }
 
-/// Converts cyan, magenta, yellow and black, without a profile. 255 is a whole ink; `inverted`: none.
+/// Converts cyan, magenta, yellow and black, without a profile. 255 is full ink; with `inverted` 0 is.
 std::vector<std::uint8_t> rgb_of_inks(std::span<const std::uint8_t> cmyk, bool inverted) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(cmyk.size() / 4 * 3);

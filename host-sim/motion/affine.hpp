@@ -15,7 +15,7 @@ struct Affine {
 
 double scalar_product(const Vector& a, const Vector& b);
 Vector vector_product(const Vector& a, const Vector& b);
-/// Returns the unit vector; zeros for zeros. Precise for lengths whose squares are no doubles.
+/// Returns the unit vector; zeros for zeros. Precise also if the square of the length does not fit a double.
 Vector unit(const Vector& v);
 
 /// Returns the map that applies `b` first, then `a`.

@@ -59,7 +59,7 @@ class ModelBus {
   std::span<const std::byte> sending_;
   bool is_sending_ = false;
   std::array<std::byte, 4> header_{};
-  unsigned lines_ = 0;  // of the data of a transfer on QSPI; 0: it is none
+  unsigned lines_ = 0;  // of the data of a transfer on QSPI; 0: not QSPI
   std::uint64_t bytes_ = 0;
   Nanoseconds busy_{};
   int fail_at_ = -1;

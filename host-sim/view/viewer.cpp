@@ -186,7 +186,7 @@ std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
                                   rate.least < rate.most ? " at most" : "", 1e3 * time.send, rate.words()));
     }
   } else {
-    // The others have --board.
+    // Other boards are shown with --board.
     std::vector<std::string> boards;
     for (const BoardRate& rate : std::span(viewed.rates).first(boards_with_core_model().size()))
       boards.push_back(fmt::format("{} {}", rate.board, rate.words()));

@@ -335,7 +335,7 @@ test('dropped files are drawn, with those beside them', async () => {
   await browser.click('#reset-background');
   await set('light', '');
   await drawn();
-  await browser.until(`document.getElementById('link-files').textContent.startsWith('The link has 3 files in it')`, kPatience,
+  await browser.until(`document.getElementById('link-files').textContent.startsWith('The link contains 3 files')`, kPatience,
     'the link has not the files');
 });
 
@@ -345,7 +345,7 @@ test('the page writes a scene file for a dropped model', async () => {
   await drawn();
   assert.match(await text('#status'), /160x120, frame 1 of 1/);
   assert.match(await textOfScene(), /^file = "floor.obj"$/m);
-  await browser.until(`document.getElementById('link-files').textContent.startsWith('The link has 4 files in it')`, kPatience,
+  await browser.until(`document.getElementById('link-files').textContent.startsWith('The link contains 4 files')`, kPatience,
     'the link has not the files');
   const file = join(ZSTRIP_PAGE, 'examples/models/written.toml');
   writeFileSync(file, await textOfScene());

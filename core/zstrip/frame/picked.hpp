@@ -23,7 +23,7 @@ enum class Shown : std::uint8_t {
 /// A pixel's surface.
 struct Picked {
   Shown shown = Shown::background;  ///< says which table `index` refers to
-  bool textured = false;            ///< true for triangles with a texture of their own; an environment map is none
+  bool textured = false;            ///< true for triangles with a texture of their own, not an environment map
   std::uint16_t index = 0;          ///< index into Scene::instances, Scene::quadrics, Scene::lines, Overlay::sprites or
                                     ///< Overlay::labels; of an outline the index of the instance that it surrounds
   std::uint32_t triangle = 0;  ///< index into Mesh::triangles, of an outline those of its hull; of a line the index

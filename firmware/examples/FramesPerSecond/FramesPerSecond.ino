@@ -62,7 +62,7 @@ void count_frame() {
 }
 
 void loop() {
-  static zstrip::Angle turn = 0;  // 65536 is a full one
+  static zstrip::Angle turn = 0;  // 65536 is a full rotation
   zstrip::Camera camera;
   if (!zstrip::orbit(camera, {0, 0, 0}, 4 << 16, turn, 65536 * 3 / 16)) return;
   turn += 512;

@@ -133,7 +133,7 @@ class Words {
     return lower(std::string(word));
   }
   void skip_line() { rest_.remove_prefix(std::min(rest_.find_first_of("\r\n"), rest_.size())); }
-  /// The next three words, if they are numbers or stand for one (nan, -1.#IND); those of words are not a number (NaN).
+  /// Returns the next three words as numbers; words that stand for a number (nan, -1.#IND) become NaN.
   Vector take_vector() {
     Vector numbers{};
     for (double& number : numbers) {
@@ -194,10 +194,11 @@ bool is_text(std::string_view file) {
 
 Result<SourceModel> read_stl(std::string_view file, const Affine& turn) {
   if (is_text(file)) return read_text(file, turn);
-  if (file.size() < kHeaderBytes) return unreadable_model("it is neither text of STL nor as long as its header");
+  if (file.size() < kHeaderBytes) return unreadable_model("it is neither STL text nor as long as a binary header");
   const std::size_t there = (file.size() - kHeaderBytes) / kFacetBytes, said = word_at(file, 80, 4);
-  // Other files have any number there.
-  if (there == 0 || said / 2 > there) return unreadable_model("it has not half of the triangles that its header says");
+  // A file in text, or of another format, has any number there.
+  if (there == 0 || said / 2 > there)
+    return unreadable_model("it has less than half of the triangles that its header states");
   return read_bytes(file, turn);
 }
 

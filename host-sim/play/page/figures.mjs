@@ -42,7 +42,7 @@ function showAccuracy(accuracy) {
   }));
   fill('accuracy-figures', [
     ['worst pixel', `${inUnits(accuracy.worst)} at ${accuracy.worst_x}, ${accuracy.worst_y}`],
-    ['pixels that are seen to differ', `${accuracy.seen_percent.toFixed(1)} %`],
+    ['pixels that differ visibly', `${accuracy.seen_percent.toFixed(1)} %`],
     ['mean', inUnits(accuracy.mean)]
   ]);
 }

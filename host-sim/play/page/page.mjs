@@ -114,7 +114,7 @@ async function drawInEnoughMemory() {
     await draw();
   } catch (error) {
     if (!isNew || error.status !== kTooLittleMemory || !settings.ram) throw error;
-    const words = `“RAM at most” ${settings.ram} is too little for this scene: it gets what it needs`;
+    const words = `“RAM at most” ${settings.ram} is too little for this scene, which gets as much as it needs`;
     settings.ram = '';
     await open();
     messages = [...messages, words];
@@ -147,7 +147,7 @@ async function draw() {
   if (performance.getEntriesByName(kFirstPicture).length === 0) performance.mark(kFirstPicture);
   if (element('text-error').hidden) {
     say(`${figures.width}x${figures.height}, frame ${figures.frame + 1} of ${opened.frames}, ` +
-        `drawn in ${figures.strips.length || 'turned'} ${figures.strips.length === 1 ? 'strip' : 'strips'}`,
+        `drawn in ${figures.strips.length || 'rotated'} ${figures.strips.length === 1 ? 'strip' : 'strips'}`,
         [...refused, ...messages, ...figures.messages]);
     setDownloads(true);
   }
@@ -203,8 +203,8 @@ async function packOwn() {
   const names = own.length === 1 ? own[0].path : `${own.length} files`;
   const size = `${(files.length / 1024).toFixed(1)} KB packed`;
   packed = files.length <= kMaxPacked ?
-    {files, words: `The link has ${names} in it: ${size}.`} :
-    {words: `The link is without ${names}: ${size}, and a link has at most ${kMaxPacked / 1024} KB.`};
+    {files, words: `The link contains ${names}: ${size}.`} :
+    {words: `The link does not contain ${names}: ${size}, and a link has at most ${kMaxPacked / 1024} KB.`};
   showLink();
 }
 

@@ -66,7 +66,7 @@ export const kSettings = [
     tip: 'The driver sends the picture to a model of this controller; it is shown as its glass would be.'
   },
   {
-    name: 'rotation', label: 'Turned on the panel', option: '--rotation', kind: 'choice', choices: ['', '90', '180', '270'], none: '0',
+    name: 'rotation', label: 'Rotated on the panel', option: '--rotation', kind: 'choice', choices: ['', '90', '180', '270'], none: '0',
     isRare: true, tip: 'How the panel is mounted, in degrees clockwise. Needs a panel.'
   },
   {

@@ -165,7 +165,7 @@ bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const
   if (left.x == kNotNarrow) return see_clipped(projection, edge, seen);
   const std::int32_t left_area = twice_area<std::int32_t>(seen.a, seen.b, left);
   const bool double_sided = projection.instance.double_sided;
-  // If the edge is no crease and only its left face is drawn, the right face is not needed.
+  // If the edge is not a crease and only its left face is drawn, the right face is not needed.
   if (edge.right == kNoFace || (left_area > 0 && edge.a < edge.b && !double_sided)) return true;
   seen.third[1] = wide(projection(edge.right));
   if (right.x == kNotNarrow) return see_clipped(projection, edge, seen);

@@ -89,7 +89,7 @@ class FourTriangles {
   /// `anchor`: the centre of each triangle's first pixel.
   [[gnu::always_inline]] FourTriangles(const FourCorners& corners, Halves anchor) {
     const auto place = [&corners](int i) { return as_halves(corners.place[i]); };
-    // Sides from the end of each edge to its begin: an edge function grows by y to the right and by -x downwards.
+    // Sides from the end of each edge to its start: an edge function grows by y to the right and by -x downwards.
     const Halves edge_1 = place(0) - place(2), edge_2 = place(1) - place(0);
     const auto across = [](Halves side) { return swapped_in_pairs(side) * in_all_pairs(-1, 1); };
     const Halves to_anchor = across(anchor - place(0));
