@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Programs of one beginning that tests/budget/targets.cpp does not know, or of which it knows one scene of several:
-/// the scenes that they draw, and what else they choose.
+/// Programs of one beginning that tests/budget/targets.cpp does not know, or of which it knows one scene of several
+/// or not all effects: the scenes that they draw, and what else they choose.
 struct Other {
   std::string_view begin;
   std::vector<std::string_view> scenes;
@@ -26,6 +26,8 @@ struct Other {
 };
 const std::vector<Other> kOthers = {
     {"my_board_", {"teapot_meshlets"}, effect::unclipped},
+    {"pico_show", {"teapot"}, effect::bins},
+    {"pico2_show", {"teapot"}, effect::bins},
     {"lm3s6965evb_stuck_bus", {"teapot"}, effect::unclipped},
     {"lm3s6965evb_display_test", {}},
     {"riscv_virt_teapot", {"teapot"}, effect::unclipped},

@@ -30,7 +30,7 @@ class Strips {
     const Rect touched = grid_.strips_of_picture(box);
     for (std::int32_t row = touched.top; row < touched.bottom; ++row) {
       for (std::int32_t column = touched.left; column < touched.right; ++column) {
-        const auto strip = static_cast<std::size_t>(row * grid_.across() + column);
+        const auto strip = static_cast<std::uint32_t>(row * grid_.across() + column);
         if (strip >= fingerprints_.size() || fingerprints_[strip] == kUnknown) continue;
         Digest both(fingerprints_[strip]);
         both.add(print);

@@ -61,17 +61,19 @@ bool Player::draw_strip(std::uint16_t number, DrawnStrip& drawn) {
   fault_ = Fault::none;
   if (!is_open_) return fail(Fault::not_open);
   if (!is_fitted_) return fail(Fault::not_fitted);
+  const bool is_kept = kept_strip_ == number;
+  // A number that the plan lacks fails here; only after it the strip has an area.
+  if (!is_kept) {
+    if (const Status status = draw_into(number, strip(0)); !status) return fail(Fault::strip, status);
+  }
   const Rect area = plan_.strip_area(number, view_);
   const std::size_t bytes =
       static_cast<std::size_t>(area.height()) * bytes_per_row(static_cast<std::uint16_t>(area.width()), view_.format);
   std::byte* const pixels = strip(0).data();
   // fit has reserved memory for the mask after that for the pixels.
   auto* const mask = masked_ ? reinterpret_cast<std::uint8_t*>(pixels + bytes) : nullptr;
-  if (kept_strip_ != number) {
-    if (const Status status = draw_into(number, strip(0)); !status) return fail(Fault::strip, status);
-    if (mask != nullptr) mask_strip(area, pixels, mask);
-    kept_strip_ = number;
-  }
+  if (!is_kept && mask != nullptr) mask_strip(area, pixels, mask);
+  kept_strip_ = number;
   drawn.area = area;
   drawn.pixels = {pixels, bytes};
   if (mask != nullptr) {
