@@ -22,6 +22,10 @@ rm zstrip/src/zstrip_player/any_player.hpp
 mkdir zstrip/src/zstrip_scenes
 cp "$root"/firmware/scenes/stage.cpp "$root"/firmware/scenes/include/zstrip_scenes/{stage,baked_stage,built_in}.hpp zstrip/src/zstrip_scenes
 cp -R "$root/firmware/examples" zstrip/examples
+# The sketches for libraries of displays have the model of YourModel, and their adapter beside them.
+for sketch in TftEspi:tft_espi LovyanGfx:lovyangfx M5Gfx:lovyangfx ArduinoGfx:arduino_gfx; do
+  cp zstrip/examples/YourModel/scene.hpp zstrip/examples/adapters/"${sketch#*:}".hpp zstrip/examples/"${sketch%:*}"
+done
 # Sketches only; and of the adapters those for what takes the package in.
 mv zstrip/examples/adapters zstrip/adapters
 rm zstrip/adapters/{pico_spi_dma,sdl2_texture}.hpp

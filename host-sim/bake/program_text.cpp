@@ -120,6 +120,22 @@ adapters::LovyanGfx panel(device);
 )" + fmt::format("  device.setRotation({});\n", lies_sideways(view) ? 1 : 0)};
 }
 
+/// The library finds the board, whose panel may have any size.
+SketchPanel m5gfx_panel(const View& view) {
+  return {.head = R"( A sketch for Arduino with M5GFX, written by `zstrip bake`.
+// M5GFX finds out which board of M5Stack it runs on, and knows its panel.
+#include <M5GFX.h>
+#include <zstrip.h>
+
+#include "lovyangfx.hpp"
+#include "scene.hpp"
+
+)",
+          .objects = "M5GFX device;\nadapters::LovyanGfx panel(device);\n",
+          .start = R"(  if (panel.start() != zstrip::hal::Error::none) Serial.println("M5GFX finds no panel");
+)" + fmt::format("  device.setRotation({});\n", view.width > view.height ? 1 : 0)};
+}
+
 SketchPanel arduino_gfx_panel(const View& view) {
   const UprightModule module = upright_module(view);
   std::string head = R"( A sketch for Arduino with Arduino_GFX, written by `zstrip bake`.
@@ -144,9 +160,14 @@ SketchPanel arduino_gfx_panel(const View& view) {
 }
 
 SketchPanel sketch_panel(const View& view, DisplayLibrary library) {
-  if (library == DisplayLibrary::tft_espi) return tft_espi_panel(view);
-  if (library == DisplayLibrary::lovyangfx) return lovyangfx_panel(view);
-  return library == DisplayLibrary::arduino_gfx ? arduino_gfx_panel(view) : own_panel(view);
+  switch (library) {
+    case DisplayLibrary::tft_espi: return tft_espi_panel(view);
+    case DisplayLibrary::lovyangfx: return lovyangfx_panel(view);
+    case DisplayLibrary::m5gfx: return m5gfx_panel(view);
+    case DisplayLibrary::arduino_gfx: return arduino_gfx_panel(view);
+    case DisplayLibrary::st7789: break;
+  }
+  return own_panel(view);
 }
 
 /// Returns the file's name, in brackets if CMake would otherwise read it differently.
@@ -167,7 +188,7 @@ Result<Done> check_for_program(const BakedScene& baked, const std::string& name_
 Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_space, DisplayLibrary library) {
   const View& view = baked.view;
   const bool own = library == DisplayLibrary::st7789;
-  if (library != DisplayLibrary::tft_espi) {
+  if (library != DisplayLibrary::tft_espi && library != DisplayLibrary::m5gfx) {
     if (const Result<Done> fits = check_panel(view); !fits) return fits.failure();
   }
   const Result<Done> sent =

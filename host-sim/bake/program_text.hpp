@@ -11,12 +11,13 @@
 namespace zstrip::sim {
 
 /// The driver of a sketch's panel: zstrip's own for an ST7789, or another library.
-enum class DisplayLibrary : std::uint8_t { st7789, tft_espi, lovyangfx, arduino_gfx };
+enum class DisplayLibrary : std::uint8_t { st7789, tft_espi, lovyangfx, m5gfx, arduino_gfx };
 
 /// Returns ExitStatus::usage for scenes that a player does not draw (with a visibility method), and for a namespace
 /// with a name that the program uses itself.
 Result<Done> check_for_program(const BakedScene& baked, const std::string& name_space);
-/// Checks the same for a sketch, and refuses pictures that no ST7789 can show. Only TFT_eSPI's panel may be larger.
+/// Checks the same for a sketch, and refuses pictures that no ST7789 can show. The panels of TFT_eSPI and M5GFX may be
+/// larger.
 Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_space,
                               DisplayLibrary library = DisplayLibrary::st7789);
 /// Checks the same for a program for the Raspberry Pi Pico SDK with an ST7789.

@@ -23,6 +23,7 @@ LibraryFiles files_of(DisplayLibrary library) {
   switch (library) {
     case DisplayLibrary::tft_espi: return {"tft_espi.hpp", adapter_text::kTftEspi, "bodmer/TFT_eSPI@^2.5.43"};
     case DisplayLibrary::lovyangfx: return {"lovyangfx.hpp", adapter_text::kLovyanGfx, "lovyan03/LovyanGFX@^1.2.0"};
+    case DisplayLibrary::m5gfx: return {"lovyangfx.hpp", adapter_text::kLovyanGfx, "m5stack/M5GFX@^0.2.0"};
     case DisplayLibrary::arduino_gfx:
       return {"arduino_gfx.hpp", adapter_text::kArduinoGfx, "moononournation/GFX Library for Arduino@^1.6.0"};
     case DisplayLibrary::st7789: break;
@@ -57,13 +58,15 @@ std::string tft_espi_flags(const View& view, const BoardPins& pins) {
 }
 
 std::string platformio_ini(const BakedScene& baked, DisplayLibrary library) {
+  // All boards of M5Stack that M5GFX knows have an ESP32.
+  const bool for_m5 = library == DisplayLibrary::m5gfx;
   std::string text =
       R"(; Written by `zstrip bake`. zstrip's package, the folder zstrip of its archive, goes into lib/ next to this file.
 ; The sketch is also one of the Arduino IDE, so it lies in the project's folder itself.
 [platformio]
 src_dir = .
-default_envs = pico
-
+)" + fmt::format("default_envs = {}\n", for_m5 ? "esp32" : "pico") +
+      R"(
 [env]
 framework = arduino
 build_src_filter = +<*.cpp>
@@ -77,19 +80,19 @@ build_flags =
   if (const LibraryFiles files = files_of(library); files.platformio_library != nullptr) {
     text += fmt::format("lib_deps = {}\n", files.platformio_library);
   }
-  text += R"(
-; For other boards name their platform and board here. The compiler must be GCC 11 or later.
-[env:pico]
+  text += "\n; For other boards name their platform and board here. The compiler must be GCC 11 or later.\n";
+  if (!for_m5) {
+    text += R"([env:pico]
 platform = https://github.com/maxgerhardt/platform-raspberrypi.git
 board = pico
 board_build.core = earlephilhower
 )";
-  text += flags({18, 19, 16, 8, 9, 10});
-  text += R"(
-[env:esp32]
+    text += flags({18, 19, 16, 8, 9, 10}) + '\n';
+  }
+  text += R"([env:esp32]
 platform = https://github.com/pioarduino/platform-espressif32/releases/download/stable/platform-espressif32.zip
-board = esp32dev
 )";
+  text += fmt::format("board = {}\n", for_m5 ? "m5stack-core-esp32" : "esp32dev");
   return text + flags({18, 23, 19, 2, 4, 5});
 }
 

@@ -49,9 +49,9 @@ void add_project_options(CLI::App& command, ProjectArguments& arguments) {
   command
       .add_option("--display", arguments.display,
                   "The driver of the panel in a folder's sketch: st7789, zstrip's own (default); tft_espi, "
-                  "lovyangfx or arduino_gfx, which are libraries for Arduino")
+                  "lovyangfx, m5gfx or arduino_gfx, which are libraries for Arduino")
       ->option_text("LIBRARY")
-      ->transform(one_of({"st7789", "tft_espi", "lovyangfx", "arduino_gfx"}));
+      ->transform(one_of({"st7789", "tft_espi", "lovyangfx", "m5gfx", "arduino_gfx"}));
   command
       .add_option("--cores", arguments.cores, "How many cores draw in the program of --project pico: 1 (default), 2")
       ->option_text("NUMBER")
@@ -73,6 +73,7 @@ Result<Project> parse_project(const ProjectArguments& arguments, const std::stri
   if (arguments.project == "esp_idf") project.kind = ProjectKind::esp_idf;
   if (arguments.display == "tft_espi") project.display = DisplayLibrary::tft_espi;
   if (arguments.display == "lovyangfx") project.display = DisplayLibrary::lovyangfx;
+  if (arguments.display == "m5gfx") project.display = DisplayLibrary::m5gfx;
   if (arguments.display == "arduino_gfx") project.display = DisplayLibrary::arduino_gfx;
   const bool for_sdk = project.kind == ProjectKind::pico || project.kind == ProjectKind::esp_idf;
   if (for_sdk && project.display != DisplayLibrary::st7789) {
@@ -97,7 +98,8 @@ PlanArguments plan_arguments_for_project(PlanArguments plan, const Project& proj
   if (!plan.view.size) plan.view.size = "240x240";
   if (!plan.view.format) plan.view.format = "rgb565_swapped";
   const bool by_dma = project.kind == ProjectKind::pico || project.kind == ProjectKind::esp_idf ||
-                      project.display == DisplayLibrary::tft_espi || project.display == DisplayLibrary::lovyangfx;
+                      project.display == DisplayLibrary::tft_espi || project.display == DisplayLibrary::lovyangfx ||
+                      project.display == DisplayLibrary::m5gfx;
   plan.strip_buffers = by_dma ? 2 : plan.strip_buffers.value_or(1);
   return plan;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # arduino_pico.sh ROOT ZSTRIP PACKAGE [DISPLAY LIBRARY]: sketches compile for a Raspberry Pi Pico with the real board package
-# arduino-pico, the folder PACKAGE that has platform.txt: those of firmware/examples, and the one that `zstrip bake` writes
-# for zstrip's own driver. With DISPLAY (tft_espi, lovyangfx or arduino_gfx): the one that it writes for that display
+# arduino-pico, the folder PACKAGE that has platform.txt: those of firmware/examples for zstrip's own driver, and the one
+# that `zstrip bake` writes for it. With DISPLAY (tft_espi, lovyangfx or arduino_gfx): the one that it writes for that display
 # library, whose folder is LIBRARY. PACKAGE has its submodules, as an installed one has.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
@@ -55,4 +55,6 @@ compile() {
 "$zstrip" bake teapot -o "$scratch/Teapot/" --display "$display" --quiet
 compile "$scratch/Teapot/Teapot.ino"
 [ -z "$library" ] || exit 0
-for sketch in "$root"/firmware/examples/*/*.ino; do compile "$sketch"; done
+for sketch in "$root"/firmware/examples/*/*.ino; do
+  if ! grep -q 'adapters::' "$sketch"; then compile "$sketch"; fi
+done

@@ -19,6 +19,8 @@ compiles "M5GFX, which the sketch includes, is not taken where LovyanGFX is inst
   -I$here/declarations_m5gfx -I$here/declarations -include M5GFX.h $adapters/lovyangfx.hpp
 compiles "LovyanGFX is not taken where M5GFX is installed, too" \
   -I$here/declarations_m5gfx -I$here/declarations $adapters/lovyangfx.hpp
+compiles "the sketch of M5GFX does not compile" -I$here/declarations_m5gfx -I$adapters -Ifirmware/examples/YourModel \
+  -Itests/package/arduino/hardware/zstrip/test/cores/test -include Arduino.h firmware/examples/M5Gfx/M5Gfx.ino
 
 compiles "ESP-IDF 5.0.1 is refused" -I$here/declarations $adapters/esp_lcd.hpp
 said=$("${compile[@]}" -I$here/declarations -DESP_IDF_VERSION_PATCH=0 $adapters/esp_lcd.hpp 2>&1) || true

@@ -286,6 +286,10 @@ TEST_F(Bake, AFolderIsAWholeProgramAndKeepsWhatWasChanged) {
   has("gfx/gfx.ino", "Arduino_ST7789 gfx(&bus, kReset, 1, true, 135, 240, 52, 40, 53, 40);");
   EXPECT_EQ(bake_into("lgfx/", {"--display", "lovyangfx", "--size", "240x135"}), "");
   has("lgfx/lgfx.ino", "glass.offset_x = 52;\n    glass.offset_y = 40;\n");
+  EXPECT_EQ(bake_into("m5/", {"--display", "m5gfx", "--project", "platformio", "--size", "320x240"}), "");
+  has("m5/m5.ino", "device.setRotation(1);");
+  has("m5/lovyangfx.hpp", "class LovyanGfx");
+  has("m5/platformio.ini", "default_envs = esp32\n");
   EXPECT_EQ(bake_into("nested/pico/", {"--project", "pico"}), "");
   has("nested/pico/CMakeLists.txt", "target_link_libraries(pico PRIVATE zstrip::player pico_stdlib");
   has("nested/pico/main.cpp", "player.open({baked::kScene");

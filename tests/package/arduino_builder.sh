@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # arduino_builder.sh ROOT SCRATCH [ZSTRIP]: arduino-builder takes the package in and builds sketches of it, and that of
-# `zstrip bake`, for a board package of the tests' own, for Cortex-M0+: the first one and the baked one; all with
-# ZSTRIP_LONG. With C++17 one error says what to do.
+# `zstrip bake`, for a board package of the tests' own, for Cortex-M0+: the first one and the baked one; with ZSTRIP_LONG all
+# that need no library of displays. With C++17 one error says what to do.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 here=$root/tests/package
@@ -35,7 +35,7 @@ build() {
 
 failed=0
 first=HelloPyramid
-read -r -d '' -a others < <(ls -I $first "$scratch/libraries/zstrip/examples") || true
+read -r -d '' -a others < <(ls -I $first -I TftEspi -I LovyanGfx -I M5Gfx -I ArduinoGfx "$scratch/libraries/zstrip/examples") || true
 [ ${#others[@]} -ge 4 ] || { echo "the package has no sketches"; failed=1; }
 if [ -z "${ZSTRIP_LONG-}" ]; then others=(${3:+Baked}); fi
 for sketch in $first "${others[@]}"; do

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# baked_scene.sh ROOT ZSTRIP: the models of sketches are what their first lines say: baked from the repository's.
+# baked_scene.sh ROOT ZSTRIP: the models of sketches are what their first lines say: baked from the repository's. Sketches
+# for libraries of displays are those that `zstrip bake` writes.
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -10,4 +11,9 @@ for name in YourModel Player Joystick; do
   # shellcheck disable=SC2086  # options are words
   "$2" bake "$1/$model" -o "$scratch/scene.hpp" $options --quiet
   cmp "$scratch/scene.hpp" "$sketch/scene.hpp"
+done
+for sketch in TftEspi:tft_espi LovyanGfx:lovyangfx M5Gfx:m5gfx ArduinoGfx:arduino_gfx; do
+  name=${sketch%:*}
+  "$2" bake "$1/host-sim/scenes/models/ring.obj" -o "$scratch/$name/" --display "${sketch#*:}" --quiet
+  cmp "$scratch/$name/$name.ino" "$1/firmware/examples/$name/$name.ino"
 done
