@@ -249,7 +249,7 @@ std::string footer() {
          "  zstrip accuracy knot -o out/accuracy\n"
          "  zstrip accuracy knot room --target m3 --knobs depth,fit,strips -o out/m3\n"
          "  zstrip accuracy teapot --only depth=float,detail=50 --only exact -o out/two\n"
-         "A run that was interrupted goes on where it was: points are kept in points.jsonl of the folder.";
+         "An interrupted run continues where it ended: its points are in points.jsonl in the folder.";
 }
 
 }  // namespace

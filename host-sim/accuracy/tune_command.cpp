@@ -178,7 +178,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->type_name("N");
   command->add_option("--max-ram", a.ram, "Arena and one strip of pixels, K and M allowed")->type_name("BYTES");
   command->add_option("--max-flash", a.flash, "The scene, K and M allowed")->type_name("BYTES");
-  command->add_option("--min-fps", a.fps, "Frames a second, on boards the least that is predicted")->type_name("N");
+  command->add_option("--min-fps", a.fps, "The fewest frames a second; on boards by the lower end of the prediction")
+      ->type_name("N");
   command->add_option("--frames", a.frames, "Poses of a full rotation")
       ->type_name("N")
       ->check(CLI::Range(1U, 60U))

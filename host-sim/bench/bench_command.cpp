@@ -361,7 +361,7 @@ std::string footer() {
          "  zstrip bench --board bluepill,pico --workload K5M,CT --frames 6\n"
          "                                                frames a second that real boards would draw\n"
          "  zstrip bench --peers                          Allegro 4 and OSMesa on the same workloads\n"
-         "  zstrip bench --table dynamic-z                a published table, with our renderer beside it\n"
+         "  zstrip bench --table dynamic-z                a published table, next to figures of this renderer\n"
          "  zstrip bench --table thesis                   painter, z-buffer and both; likewise midpoint and "
          "depth-bits\n"
          "  zstrip bench --table boards                   visibility methods on emulated boards";
@@ -369,7 +369,10 @@ std::string footer() {
 
 void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* target) {
   auto* const board =
-      command.add_option("--board", options.boards, "Predict frames a second of real boards, separated by commas")
+      command
+          .add_option(
+              "--board", options.boards,
+              "Predict frames a second of real boards, separated by commas; zstrip plan estimates those of more boards")
           ->delimiter(',')
           ->transform(one_of(board_names()))
           ->excludes(target)
@@ -425,7 +428,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command->add_option("--mode", options->mode, "Transform geometry again for each strip, or once and bin it")
       ->transform(one_of({"streamed", "binned"}))
       ->capture_default_str();
-  command->add_option("--depth", options->depth, "How boards keep depth; all but z16 for R50 only")
+  command->add_option("--depth", options->depth, "Depth on boards; formats other than z16 for R50 only")
       ->transform(one_of({"z16", "state", "ranges", "float", "z24"}))
       ->capture_default_str();
   command->add_option("--ram", options->ram, "Renderer's memory at most, K and M allowed (default: no limit)")

@@ -167,33 +167,36 @@ void add_fit_command(CLI::App& app, int& exit_code) {
       ->description("Pixels of the display: rgb565_swapped (default), rgb565, gray4, mono, rgb666, rgb444, xrgb8888");
   for (const char* option : {"--samples", "--edges"}) {
     CLI::Option* const added = command->get_option(option);
-    added->description(added->get_description() + "; pictures without are tried, too");
+    added->description(added->get_description() + "; pictures without it are tried, too");
   }
   command
       ->add_option(
           "--flash", a.flash,
-          "Bytes of the scene at most, without code, K and M allowed (default: the board's, less half of it or "
-          "64K for code; where flash is outside of the chip, any)")
+          "Limit for the scene's flash without code, in bytes, K and M allowed (default: the board's less 64K for "
+          "code, or less half of it if that is smaller; no limit if the flash is a separate chip)")
       ->type_name("BYTES");
   command
-      ->add_option("--ram", a.ram, "Bytes of arena, strip buffers and skins at most (default: the board's, less 4,096)")
+      ->add_option("--ram", a.ram,
+                   "Limit for arena, strip buffers and skins in bytes (default: the board's, less 4,096)")
       ->type_name("BYTES");
-  command->add_option("--fps", a.frames, "Frames a second at least, of the least that is estimated (default: any)")
+  command->add_option("--fps", a.frames, "The fewest frames a second, by the lower end of the estimate (default: any)")
       ->type_name("N");
   add_camera_options(*command, a.camera);
   command->add_option("--choose", a.choose, "The choice to write, by its number (default: 1, the best looking)")
       ->type_name("N")
       ->check(CLI::Range(1U, 1000U));
   command
-      ->add_option("-o,--output", a.output,
-                   "The file to write, as by zstrip bake, whose flash counts: .zsc (default, not written), .uf2, .hpp, "
-                   ".ino, .cpp")
+      ->add_option(
+          "-o,--output", a.output,
+          "The file to write, as zstrip bake does; its flash is counted: .zsc (default, not written), .uf2, .hpp, "
+          ".ino, .cpp")
       ->type_name("FILE");
   command->add_option("--html", a.html, "Write the choices with their pictures as a page")->type_name("FILE");
   command->add_option("--json", a.json, "Write the choices as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No table and no progress");
   command->footer(
-      "Exit status 5 where nothing fits; the message says what comes nearest, and which limit it breaks.\nExamples:\n"
+      "Exit status 5 if nothing fits; the message names the nearest combination, and the limit that it "
+      "breaks.\nExamples:\n"
       "  zstrip fit truck.glb --board pico --flash 1M --html sheet.html\n"
       "  zstrip fit truck.glb --board bluepill --size 160x128 --samples 4\n"
       "  zstrip fit truck.glb --board pico --flash 512K --fps 20 --choose 3 -o truck.zsc\n"

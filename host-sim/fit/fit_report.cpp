@@ -29,8 +29,9 @@ double percent_off(const FitChoice& choice) {
 }  // namespace
 
 std::string fit_table(const FitSearch& found, const BoardModel& board, std::size_t chosen) {
-  std::string text = fmt::format("{} combinations tried for {}; {} of those that fit beat all others in something\n",
-                                 grouped(found.tried), board.description, grouped(found.choices.size()));
+  std::string text =
+      fmt::format("{} combinations tried for {}; listed: {} that fit and that no other beats in everything\n",
+                  grouped(found.tried), board.description, grouped(found.choices.size()));
   text += fmt::format("{:>5}  {:<18} {:>9} {:>10}  {:<11} {:>11} {:>9} {:>11} {:>6} {:>7}\n", "", "textures",
                       "triangles", "", "smooth", "flash", "RAM", "frames/s", "rms", "off");
   for (std::size_t i = 0; i < found.choices.size(); ++i) {

@@ -51,12 +51,12 @@ std::string length(double value) {
 
 /// Which formats sort what the scene needs.
 std::string depth_table(const DepthAdvice& depth) {
-  std::string text = fmt::format("\n{:<10}  {:>5}  sorts what is apart by\n{:<17}  {:<14} {}\n", "depth", "bytes", "",
-                                 "at " + length(depth.nearest), "at " + length(depth.farthest));
+  std::string text = fmt::format("\n{:<10}  {:>5}  sorts surfaces this far apart\n{:<17}  {:<14} {}\n", "depth",
+                                 "bytes", "", "at " + length(depth.nearest), "at " + length(depth.farthest));
   for (const FormatSeparation& format : depth.formats) {
     text += fmt::format("{:<10}  {:>5}  {:<14} {:<14}{}\n", name(format.format), depth_bytes(format.format),
                         length(format.at_nearest), length(format.at_farthest),
-                        format.format == depth.advised ? "  <- the cheapest that does" : "");
+                        format.format == depth.advised ? "  <- the cheapest that is enough" : "");
   }
   return text + fmt::format("Needed at {}: {}.\n", length(depth.farthest), length(depth.needed));
 }
@@ -67,8 +67,9 @@ bool has_layer(const PlanRequest& request, const PlanChoice& choice) {
 }
 
 std::string layer_table(const KeptFrames& kept) {
-  std::string text = fmt::format("\nas a static layer, {} frames of a turn kept one by one\n{:>10}  {:>10}  {:>10}\n",
-                                 kept.frames, "largest", "average", "any");
+  std::string text =
+      fmt::format("\nas a static layer, {} frames of a rotation, each kept alone\n{:>10}  {:>10}  {:>10}\n",
+                  kept.frames, "largest", "average", "any");
   const auto row = [&](const KeptBytes& bytes, const std::string& what) {
     text += fmt::format("{:>10}  {:>10}  {:>10}  {}\n", grouped(bytes.largest), grouped(bytes.average),
                         grouped(bytes.worst), what);
@@ -129,9 +130,9 @@ std::string rates_text(const PlanRequest& request, const PlanChoice& choice) {
   for (const BoardRate& rate : rates_of(request, choice)) {
     (rate.fits() ? rates : too_small).push_back(fmt::format("{} {}", rate.board, rate.words()));
   }
-  std::string text = "Frames a second with this plan, about, one core drawing: ";
+  std::string text = "Estimated frames a second with this plan, one core drawing: ";
   text += rates.empty() ? "no board has the memory.\n" : fmt::format("{}.\n", fmt::join(rates, ", "));
-  if (!too_small.empty()) text += fmt::format("Boards without the memory: {}.\n", fmt::join(too_small, ", "));
+  if (!too_small.empty()) text += fmt::format("Boards with too little memory: {}.\n", fmt::join(too_small, ", "));
   return text;
 }
 
@@ -192,7 +193,8 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
   text += curve(choice, request.view);
   if (choice.depth) text += depth_table(*choice.depth);
   if (has_layer(request, choice)) text += layer_table(choice.kept);
-  text += "Instructions: a frame on a Cortex-M3, estimated from what the first frame does; zstrip bench measures.\n";
+  text +=
+      "Instructions of a frame on a Cortex-M3 are estimated from the work of the first frame; zstrip bench counts.\n";
   const std::vector<std::string> left_out = left_out_of_estimates(choice.effects);
   if (!left_out.empty()) text += fmt::format("The estimate leaves out: {}.\n", fmt::join(left_out, ", "));
   return text + rates_text(request, choice);
