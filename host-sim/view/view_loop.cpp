@@ -106,10 +106,10 @@ struct Key {
   std::string_view does;
 };
 constexpr std::array kKeys{
-    Key{"drag, wheel", "turn the scene, come closer or go away"},
-    Key{"click", "say which part and triangle is there"},
-    Key{"c", "the scene's own camera"},
-    Key{"Space", "play, stop; a scene without motion turns"},
+    Key{"drag, wheel", "rotate the scene, zoom"},
+    Key{"click", "name the part and the triangle there"},
+    Key{"c", "back to the scene's own camera"},
+    Key{"Space", "play, stop; a scene without motion rotates"},
     Key{"Right, Left", "the next frame, the one before"},
     Key{"w, d, o", "wireframe, depth, how often pixels are drawn; again: colours"},
     Key{"h", "a heat map: how different each pixel looks from the truth; again: colours"},
@@ -121,7 +121,7 @@ constexpr std::array kKeys{
     Key{"q, Escape", "quit"},
 };
 constexpr std::size_t kKeyWidth = 13;
-constexpr std::string_view kShortKeys = "k: all keys  drag: turn  Space: play  q: quit";
+constexpr std::string_view kShortKeys = "k: all keys  drag: rotate  Space: play  q: quit";
 
 Result<Done> ViewLoop::draw() {
   Result<ViewedFrame> viewed = viewer_.draw();

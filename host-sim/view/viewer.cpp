@@ -182,7 +182,7 @@ std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
     } else {
       const BoardTime time =
           time_on(*board, board->cycles_per_estimate.high, request_.bus_mhz, {report.plan, view, viewed.instructions});
-      lines.push_back(fmt::format("{}: {:.0f} ms drawn{}, {:.0f} sent: about {}/s", board->name, 1e3 * time.draw,
+      lines.push_back(fmt::format("{}: {:.0f} ms drawn{}, {:.0f} sent: about {} fps", board->name, 1e3 * time.draw,
                                   rate.least < rate.most ? " at most" : "", 1e3 * time.send, rate.words()));
     }
   } else {
@@ -190,7 +190,7 @@ std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
     std::vector<std::string> boards;
     for (const BoardRate& rate : std::span(viewed.rates).first(boards_with_core_model().size()))
       boards.push_back(fmt::format("{} {}", rate.board, rate.words()));
-    lines.push_back(fmt::format("about/s: {}", fmt::join(boards, ", ")));
+    lines.push_back(fmt::format("about fps: {}", fmt::join(boards, ", ")));
   }
   if (!viewed.left_out.empty()) {
     lines.push_back(fmt::format("the estimate leaves out: {}", fmt::join(viewed.left_out, ", ")));
