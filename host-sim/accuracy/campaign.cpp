@@ -164,7 +164,7 @@ Result<Done> check_settings(const AccuracyScene& scene, const CampaignOptions& o
   for (const Settings& settings : options.only) {
     if (agree(scene.effects_with(settings))) continue;
     return Failure{ExitStatus::usage,
-                   fmt::format("'{}' cannot be drawn: these settings exclude each other, or what {} has",
+                   fmt::format("'{}' cannot be drawn: these settings exclude each other, or effects of {}",
                                to_text(settings), scene.request().scene)};
   }
   return Done{};

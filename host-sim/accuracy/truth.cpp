@@ -123,11 +123,12 @@ Result<Done> check_truth(const Scene& scene, const Camera& camera, const Origins
   }
   return Failure{
       ExitStatus::input,
-      fmt::format(
-          "no truth can be drawn of what this scene has: {}; what can be are triangles and quadrics "
-          "with directional light, emission, vertex colours, nearest texels and fog{}",
-          list,
-          others.has(effect::depth_state) ? "; what a depth test or bias shows depends on the z-buffer's codes" : "")};
+      fmt::format("no truth can be drawn of effects in this scene: {}; it can be drawn of triangles and quadrics "
+                  "with directional light, emission, vertex colours, nearest texels and fog{}",
+                  list,
+                  others.has(effect::depth_state)
+                      ? "; the result of a depth test or bias depends on the z-buffer's codes"
+                      : "")};
 }
 
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,

@@ -144,7 +144,7 @@ std::optional<std::string> refused_in(const BakedScene& baked, const Motion& mot
   std::vector<std::uint64_t> memory(planned.plan.bytes() / sizeof(std::uint64_t) + 1);
   const auto renderer = std::make_unique<Renderer<effects>>();
   MovedScene moved(baked, motion.is_part ? with_room_between(baked, motion.poses) : baked.camera);
-  if (!moved.can_turn()) return "what turns is too far away for it";
+  if (!moved.can_turn()) return "a rotating instance is too far away for it";
   // The frames of boards first, because one of 64 frame numbers is easier to find.
   for (const std::uint32_t frames : {std::min(kFramesOfBoards, motion.poses), motion.poses}) {
     for (std::uint32_t frame = 0; frame < frames; ++frame) {

@@ -115,7 +115,8 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
     const bool known =
         options.workloads == std::vector<std::string>{"R50"} && target != "host" && options.mode == "streamed";
     if (!known)
-      return Failure{ExitStatus::usage, "--depth is for R50 on boards, streamed: that is what programs are built for"};
+      return Failure{ExitStatus::usage,
+                     "--depth is for R50 on boards, streamed: the boards' programs have nothing else"};
   }
   std::vector<BenchCase> cases;
   for (const std::string& name : options.workloads) {

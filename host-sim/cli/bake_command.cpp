@@ -92,7 +92,8 @@ Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effe
   if (is_source(kind)) return OutputSkins{skins_of(stage), {}};
   OutputSkins output;
   if (warn && !skins_of(stage).morphs.empty()) {
-    print_warning("a blob has no morph targets: what they move keeps its first shape; a header (-o FILE.hpp) moves it");
+    print_warning(
+        "a blob has no morph targets: their meshes keep the first shape; in a header (-o FILE.hpp) they move");
   }
   Result<std::vector<ModelClip>> clips = stage.clips();
   if (!clips) return clips.failure();
@@ -106,8 +107,8 @@ Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effe
   if (!why.empty()) {
     if (warn) {
       print_warning(
-          fmt::format("with {} a blob has no skins: what joints move stands still in it as at frame 0; a header (-o "
-                      "FILE.hpp) moves it",
+          fmt::format("with {} a blob has no skins: meshes with joints stand still as at frame 0; in a header (-o "
+                      "FILE.hpp) they move",
                       why));
     }
     return OutputSkins{};

@@ -97,7 +97,7 @@ Result<Turn> turn_of(const Stage& stage, Effects method, bool turntable, const S
   }
   const std::string why = fmt::format(
       "--visibility {} {}", visibility_name(method),
-      by_tree ? "makes one instance of what turns and what does not" : "orders its triangles for one camera");
+      by_tree ? "joins instances that rotate and instances that do not" : "orders its triangles for one camera");
   if (turntable) {
     return Failure{ExitStatus::usage, why + "; leave out --turntable, or bake with another method"};
   }

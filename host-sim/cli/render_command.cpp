@@ -113,7 +113,8 @@ std::string words_of_emptiness(Stage& stage, const Job& job, const RunRecord& ru
       std::ranges::any_of(run.frames, [](const FrameRecord& frame) { return frame.report.statistics.fragments > 0; });
   if (!too_small.empty()) return (drawn ? "most of the model is not seen: " : "no pixel was drawn: ") + too_small;
   if (!drawn && is_below_a_pixel(stage, job.drawing.view)) {
-    return "no pixel was drawn: what the camera sees is smaller than a pixel; bring it nearer, or make --size larger";
+    return "no pixel was drawn: all that the camera sees is smaller than a pixel; bring it nearer, or make --size "
+           "larger";
   }
   if (!drawn) {
     return fmt::format("no pixel was drawn: the camera does not see the scene; check --eye, --orbit, --look-at{}",

@@ -313,7 +313,7 @@ class Composer {
     const Material& material = composed_->materials[instance.material];
     if (material.finish < composed_->finishes.size() &&
         composed_->finishes[material.finish].alpha_mode != AlphaMode::opaque) {
-      return wrong("[instance.outline] is of what is opaque: its material has a mask or blends");
+      return wrong("[instance.outline] needs an opaque material: this one has a mask or blends");
     }
     return Done{};
   }

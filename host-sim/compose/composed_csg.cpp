@@ -39,7 +39,7 @@ Result<std::uint16_t> solid(const SceneFile& file, const FileCsg& csg, const std
   }
   const auto index = static_cast<std::uint16_t>(at - placed.begin());
   const Instance& instance = scene.instances[index];
-  if (at->file->is_static) return wrong("lies in the static layer; solids are drawn with what moves");
+  if (at->file->is_static) return wrong("lies in the static layer, where solids of [[csg]] must not lie");
   if (!detail::can_be_operand(scene.scene(), instance)) {
     return wrong(fmt::format("{}: solids do without", what_no_solid_has(scene, instance)));
   }

@@ -51,7 +51,7 @@ FileMaterial read_material(TomlTable& table) {
   material.smooth = table.choice("shading", kShadings);
   if (const auto smooth = table.flag("smooth")) {
     if (material.smooth) {
-      table.wrong("smooth", "'smooth' says what 'shading' does, and the material has both; leave out 'smooth'");
+      table.wrong("smooth", "'smooth' and 'shading' are one property, and the material has both; leave out 'smooth'");
     }
     material.smooth = *smooth;
   }

@@ -41,7 +41,7 @@ void add_key(Curve<Value>& curve, double time, const std::optional<Value>& value
 void refuse_rotation(TomlTable& table, Billboard billboard) {
   if (billboard != Billboard::viewer) return;
   for (const char* key : {"rotation", "quaternion"}) {
-    if (table.has(key)) table.wrong(key, "what faces the viewer has no rotation of its own");
+    if (table.has(key)) table.wrong(key, "a billboard that faces the viewer has no rotation of its own");
   }
 }
 
@@ -134,7 +134,7 @@ FileInstance read_instance(TomlTable& table) {
   }
   read_keyframes(table, instance);
   if (instance.is_static && instance.moves()) {
-    table.wrong("layer", "what lies in the static layer cannot have keyframes or a turntable");
+    table.wrong("layer", "an instance of the static layer cannot have keyframes or a turntable");
   }
   table.finish();
   return instance;

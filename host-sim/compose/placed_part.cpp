@@ -40,7 +40,7 @@ Result<Done> check_placed(const PlacedPart& placed, const std::filesystem::path&
   const auto wrong = [&](const char* what) { return at_line(scene, placed.file->line, what); };
   const bool animated = placed.model->moves(*placed.part);
   if (placed.file->is_static && animated) {
-    return wrong("what lies in the static layer cannot have an animation; its model has one");
+    return wrong("an instance of the static layer cannot have an animation; its model has one");
   }
   if (placed.file->billboard != Billboard::none && (animated || !is_diagonal(placed.part->to_file))) {
     return wrong("a billboard's model must have no animation and no part that is turned");

@@ -137,7 +137,8 @@ Affine local_of(const Model& model, std::size_t joint, const NodeAnimation* anim
 Result<Done> set_joints(const SourceModel& source, Model& model) {
   if (model.skins.empty()) return Done{};
   const auto out_of_range = [] {
-    return Failure{ExitStatus::input, "has joints that are too far away, or too large or small beside what they move"};
+    return Failure{ExitStatus::input,
+                   "has joints that are too far away, or too large or small for the meshes that they move"};
   };
   // An armature's own scale, often 1/100, would leave few significant bits in a matrix.
   const std::vector<Affine> at_rest = joint_places(source, nullptr, 0);

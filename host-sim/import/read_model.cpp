@@ -106,7 +106,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
   if (is_archive(path)) return named("is an archive; unpack it first, and name the model in it");
   if (is_for_firmware(path)) {
     return named(
-        "is what zstrip bake writes for firmware, which is not read; name the scene of which it was made, or "
+        "was written by zstrip bake for firmware and cannot be read; name the scene that it was made from, or "
         "bake a .zsc");
   }
   std::string begin(kBytesOfKind, '\0');

@@ -24,7 +24,7 @@ std::optional<Failure> left_out(std::string_view word) {
 }
 
 Result<DracoMesh> decode_draco(const GltfJson&, std::span<const std::uint8_t>) {
-  return Failure{ExitStatus::input, "a page does not read what Draco has compressed; the command does"};
+  return Failure{ExitStatus::input, "the page does not read meshes that Draco has compressed; the command does"};
 }
 
 Result<std::vector<std::uint8_t>> write_jpeg(std::span<const std::uint8_t>, int, int) {

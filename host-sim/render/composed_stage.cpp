@@ -68,7 +68,8 @@ Result<Camera> finished_camera(const SceneFile& file, const Units& units, double
   const FileCamera& from = *file.camera;
   Result<Camera> camera = camera_of(from, units, radius);
   if (!camera) {
-    return at_line(file.path, from.line, "[camera] is too far away for this scene, or too near to what it looks at");
+    return at_line(file.path, from.line,
+                   "[camera] is too far away for this scene, or too near to the point that it looks at");
   }
   if (from.half_height) {
     const std::optional<Fixed> focal = scaled(1 / *from.half_height, 1 / units.scale);

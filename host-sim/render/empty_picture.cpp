@@ -135,7 +135,8 @@ std::string why_too_small(const Stage& stage, const View& view) {
   if (model == nullptr || model->outlying < std::max(view.width, view.height)) return {};
   const std::string times =
       model->outlying < 1e12 ? grouped(static_cast<std::uint64_t>(model->outlying)) : std::string("a trillion or more");
-  return fmt::format("the model is {} times as long as where most of it lies; take out what lies far away", times);
+  return fmt::format("the model is {} times as long as the part where most of it lies; take out the parts far away",
+                     times);
 }
 
 }  // namespace zstrip::sim

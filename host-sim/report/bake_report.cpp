@@ -52,7 +52,7 @@ std::string flash_lines(const BakeRecord& record) {
       record.edges_left_out == 0 ? "" : grouped(record.edges_left_out) + " that the motion never shows are left out");
   add(flash.texels, record.palettes.empty() ? "textures, RGB565" : "textures",
       known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
-  add(flash.joints, "joints, and what each moves of a vertex", "");
+  add(flash.joints, "joints, and their weights at each vertex", "");
   add(flash.morphs, "morph targets", "");
   add(flash.keyframes, "keyframes of the animation", "");
   add(flash.tree, "tree of painter-bsp", counted(record.method.value_or(BakedMethodRecord{}).nodes, "node"));

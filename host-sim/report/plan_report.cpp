@@ -30,17 +30,17 @@ struct Part {
 };
 
 std::array<Part, 8> parts(const Plan& plan) {
-  return {
-      {{"instances", plan.instance_bytes, "compiled transforms and lights"},
-       {"extents", plan.extent_bytes, "which strips each meshlet touches"},
-       {"vertices", plan.vertex_bytes,
-        plan.mode == Mode::binned ? "all transformed vertices" : "the meshlet being drawn"},
-       {"depth", plan.depth_bytes, "z-buffer of a strip"},
-       {"colour", plan.colour_bytes, "RGB565 strip, before it becomes the panel's pixels"},
-       {"bins", plan.bin_bytes, "triangles waiting for their strip"},
-       {"effects", plan.effect_bytes,
-        "fog, light by place, the order of what blends, billboards, environment maps, outlines, shadows, CSG, edges"},
-       {"visibility", plan.visibility_bytes, "order of triangles, or bounds of depth"}}};
+  return {{{"instances", plan.instance_bytes, "compiled transforms and lights"},
+           {"extents", plan.extent_bytes, "which strips each meshlet touches"},
+           {"vertices", plan.vertex_bytes,
+            plan.mode == Mode::binned ? "all transformed vertices" : "the meshlet being drawn"},
+           {"depth", plan.depth_bytes, "z-buffer of a strip"},
+           {"colour", plan.colour_bytes, "RGB565 strip, before it becomes the panel's pixels"},
+           {"bins", plan.bin_bytes, "triangles waiting for their strip"},
+           {"effects", plan.effect_bytes,
+            "fog, light by place, the order of blended instances, billboards, environment maps, outlines, shadows, "
+            "CSG, edges"},
+           {"visibility", plan.visibility_bytes, "order of triangles, or bounds of depth"}}};
 }
 
 /// A length with three digits that count, without an exponent.

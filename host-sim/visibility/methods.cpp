@@ -85,9 +85,8 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
   }
   if (missing.empty()) return Failure{ExitStatus::usage, fmt::format("--visibility {} excludes another method", name)};
   if (without(Effects{0, effects.methods}, method::culling) == Effects{}) {
-    return Failure{
-        ExitStatus::usage,
-        fmt::format("--cull and --visible-sets do not go with what this scene has: {}; leave them out", missing)};
+    return Failure{ExitStatus::usage,
+                   fmt::format("--cull and --visible-sets exclude effects of this scene: {}; leave them out", missing)};
   }
   std::string able;
   for (const VisibilityMethod& method : kMethods) {
@@ -96,7 +95,7 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
       able += fmt::format("{}{}", able.empty() ? "" : ", ", method.name);
     }
   }
-  return Failure{ExitStatus::usage, fmt::format("--visibility {} cannot draw what this scene has: {}; these can: {}",
+  return Failure{ExitStatus::usage, fmt::format("--visibility {} cannot draw effects of this scene: {}; these can: {}",
                                                 name, missing, able)};
 }
 

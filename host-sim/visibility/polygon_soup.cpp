@@ -161,7 +161,7 @@ Result<PolygonSoup> soup_of(const Scene& scene) {
   PolygonSoup soup;
   soup.background = scene.background;
   if (!scene.csg.empty()) {
-    return Failure{ExitStatus::usage, "CSG cannot be split: what is seen of them is not their triangles"};
+    return Failure{ExitStatus::usage, "the triangles of CSG cannot be split: their solids are combined in the picture"};
   }
   const auto is_double_sided = [&](const Instance& i) { return scene.materials[i.material].double_sided; };
   soup.double_sided = std::ranges::all_of(scene.instances, is_double_sided);

@@ -43,7 +43,7 @@ Result<std::span<const std::uint32_t>> VisibleSetFile::at(const Scene& scene, co
   }
   if (!opened || sets.scene_checksum != visibility_checksum(scene, animation)) {
     return Failure{ExitStatus::input,
-                   fmt::format("'{}' was baked for another scene, or what stood still has moved", path_)};
+                   fmt::format("'{}' was baked for another scene, or instances that stood still have moved", path_)};
   }
   // open_visible_sets accepts a larger region, because it may be flash; a file must end with its sets.
   if (const std::uint32_t size = words_[detail::visible_sets_at::kSize / 4]; size != bytes_) {

@@ -171,7 +171,7 @@ TEST_F(BadInput, AddressesAndArchivesAreNoModels) {
 TEST_F(BadInput, WhatIsBakedForFirmwareIsNoModel) {
   for (const char* name : {"m.uf2", "m.hpp", "M.INO"}) {
     file(name, "UF2\n");
-    expect_failure(ExitStatus::input, std::string(name) + "' is what zstrip bake writes for firmware",
+    expect_failure(ExitStatus::input, std::string(name) + "' was written by zstrip bake for firmware",
                    {"render", name, "-o", "a.png"});
   }
 }

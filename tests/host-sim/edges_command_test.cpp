@@ -62,7 +62,7 @@ TEST_F(EdgesCommand, WhatDoesNotGoWithThemIsSaid) {
   says({"--visibility", "painter"}, "edges");
   says({"--visibility", "hierarchical-z"}, "edges");
   says({"--show", "depth"}, "leave out --edges");
-  says({"--cull", "none"}, "--cull and --visible-sets do not go with what this scene has: edges");
+  says({"--cull", "none"}, "--cull and --visible-sets exclude effects of this scene: edges");
   ASSERT_EQ(zstrip({"bake", "knot", "--edges", "-o", "knot.zsc", "--size", "80x60", "--quiet"}).status, 0);
   EXPECT_NE(refusal({"render", "knot.zsc", "-o", "x.png", "--samples", "2"}).find("exclude each other; use --no-edges"),
             std::string::npos);

@@ -27,7 +27,7 @@ TEST_F(Command, EmptyPicturesSayWhy) {
   const std::string below = "nothing is seen in the picture: the alpha of material 'leaf' is below its cutoff";
   const std::string zero = "nothing is seen in the picture: the alpha of material 'glass' is 0";
   const std::string dark = "nothing is seen in the picture: all that is drawn has the colour of the background";
-  const std::string far = "times as long as where most of it lies; take out what lies far away";
+  const std::string far = "times as long as the part where most of it lies; take out the parts far away";
   const struct {
     std::string name, content, words;  // without words no warning
   } cases[] = {
@@ -81,7 +81,7 @@ TEST_F(Command, WhatIsSmallerThanAPixelIsCalledSo) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   };
-  const std::string small = "what the camera sees is smaller than a pixel; bring it nearer",
+  const std::string small = "all that the camera sees is smaller than a pixel; bring it nearer",
                     out = "the camera does not";
   said(with(far, {"2000,0,45"}), small);
   said(with(far, {"2000,0,45", "--ortho"}), small);

@@ -139,11 +139,11 @@ TEST(SceneFile, Billboards) {
   EXPECT_NE(failure(kCube + "billboard = 'up'\n").find("line 6: [[instance]]: 'billboard' names no word 'up'"),
             std::string::npos);
   EXPECT_EQ(failure(kCube + "billboard = 'viewer'\nrotation = [0, 0, 30]\n"),
-            "'scene.toml' line 7: [[instance]]: what faces the viewer has no rotation of its own");
+            "'scene.toml' line 7: [[instance]]: a billboard that faces the viewer has no rotation of its own");
   EXPECT_EQ(failure(kCube + "billboard = 'viewer'\nquaternion = [0, 0, 0, 1]\n"),
-            "'scene.toml' line 7: [[instance]]: what faces the viewer has no rotation of its own");
+            "'scene.toml' line 7: [[instance]]: a billboard that faces the viewer has no rotation of its own");
   EXPECT_EQ(failure(kCube + "billboard = 'viewer'\n[[instance.keyframe]]\ntime = 0\nrotation = [0, 0, 30]\n"),
-            "'scene.toml' line 9: [[instance.keyframe]]: what faces the viewer has no rotation of its own");
+            "'scene.toml' line 9: [[instance.keyframe]]: a billboard that faces the viewer has no rotation of its own");
   EXPECT_EQ(failure(kCube + "billboard = 'upright'\nturntable = {}\n"),
             "'scene.toml' line 7: [[instance]]: a billboard rotates with the camera: it has no 'turntable'");
 }

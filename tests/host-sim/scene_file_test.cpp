@@ -129,10 +129,10 @@ TEST(SceneFile, ShadingHasThreeNames) {
   };
   EXPECT_EQ(wrong("shading = 'pixels'"),
             "'scene.toml' line 3: [[material]]: 'shading' names no word 'pixels'; did you mean 'pixel'?");
-  EXPECT_EQ(
-      wrong("shading = 'flat'\nsmooth = false"),
-      "'scene.toml' line 4: [[material]]: 'smooth' says what 'shading' does, and the material has both; leave out "
-      "'smooth'");
+  EXPECT_EQ(wrong("shading = 'flat'\nsmooth = false"),
+            "'scene.toml' line 4: [[material]]: 'smooth' and 'shading' are one property, and the material has both; "
+            "leave out "
+            "'smooth'");
 }
 
 /// Degrees about x, then y, then z: x, turned by 90 degrees about y, points to -z; about z afterwards it stays there.

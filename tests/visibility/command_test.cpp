@@ -119,7 +119,8 @@ TEST_F(VisibilityCommand, TransparencyGoesWithWhatCanAndIsRefusedByNameElsewhere
   }
   const CommandOutcome refused = render(words + path("none.raw") + "' --visibility painter-bsp");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.text.find("--visibility painter-bsp cannot draw what this scene has: blending"), std::string::npos)
+  EXPECT_NE(refused.text.find("--visibility painter-bsp cannot draw effects of this scene: blending"),
+            std::string::npos)
       << refused.text;
 }
 
@@ -151,7 +152,7 @@ TEST_F(VisibilityCommand, TheHeatMapKnowsWhatMakesThePictureMoreLikeTheTruth) {
   const CommandOutcome refused =
       render(std::string("'") + ZSTRIP_SCENE_FILES + "/point.toml' --show accuracy -o '" + path("none.png") + "'");
   EXPECT_EQ(refused.status, 4) << refused.text;
-  EXPECT_NE(refused.text.find("no truth can be drawn of what this scene has: punctual_lights (point.toml line"),
+  EXPECT_NE(refused.text.find("no truth can be drawn of effects in this scene: punctual_lights (point.toml line"),
             std::string::npos)
       << refused.text;
 }

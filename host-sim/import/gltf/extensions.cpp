@@ -86,7 +86,7 @@ Result<Done> check_gltf_extensions(const GltfJson& json, std::vector<std::string
   }
   if (!required.empty()) {
     return Failure{ExitStatus::input,
-                   fmt::format("requires what zstrip does not read: {}; export it without", required)};
+                   fmt::format("requires extensions that zstrip does not read: {}; export it without them", required)};
   }
   for (const std::string& name : names_used(json)) {
     if (!is_read(name)) append(used, name);
