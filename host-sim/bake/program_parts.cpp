@@ -144,7 +144,7 @@ Result<Done> check_names(const BakedScene& baked, const std::string& name_space,
   if (baked.effects.methods == 0) return Done{};
   return Failure{
       ExitStatus::usage,
-      fmt::format("zstrip::Player, by which programs and sketches draw, has no --visibility {}; leave it out",
+      fmt::format("zstrip::Player, which draws in programs and sketches, has no --visibility {}; leave it out",
                   visibility_name(baked.effects))};
 }
 

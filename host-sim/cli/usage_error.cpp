@@ -45,7 +45,7 @@ std::string unknown(const CLI::App& app, const CLI::App& chosen) {
   const std::string word = option == left.end() ? left.front() : option->substr(0, option->find('='));
   const std::vector<std::string> names = option == left.end() ? names_of_commands(app) : names_of_options(chosen);
   if (std::ranges::find(names, word) != names.end())
-    return fmt::format("'{}' stands behind '--', the end of all options", word);
+    return fmt::format("'{}' comes after '--', which ends the options", word);
   if (const std::string others = commands_with(app, word); option != left.end() && !others.empty()) {
     return fmt::format("'{}' is an option of {}; {} has none of that name", word, others, chosen.get_name());
   }

@@ -277,7 +277,7 @@ class Composer {
     };
     if (!to_transform(at(0), instance.transform)) {
       return at_line(file_.path, placed.file->line,
-                     "[[instance]] is too far away, or too large or small beside the others");
+                     "[[instance]] is too far away, or too large or small compared with the others");
     }
     if (placed.moves()) {
       motions_.push_back({.instance = static_cast<std::uint16_t>(composed_->instances.size()),
@@ -294,9 +294,9 @@ class Composer {
 
   /// Warns once for an instance of many parts.
   void warn_of_lost_outline(const FileInstance& file) {
-    std::string warning = at_line(file_.path, file.outline->line,
-                                  "[instance.outline] is left out: the model is too small beside the rest of the scene")
-                              .message;
+    std::string warning =
+        at_line(file_.path, file.outline->line, "[instance.outline] is left out: the model is too small for this scene")
+            .message;
     if (std::ranges::find(composed_->warnings, warning) == composed_->warnings.end()) {
       composed_->warnings.push_back(std::move(warning));
     }
@@ -328,7 +328,7 @@ class Composer {
     const bool is_thin = std::ranges::min(ellipsoid.placement.scale) * units < 4.0 / kFixedOne;
     if (is_thin || !to_transform(scaling({units, units, units}) * to_affine(ellipsoid.placement), quadric.transform)) {
       return at_line(file_.path, ellipsoid.line,
-                     "[[ellipsoid]] is too far away, or too large, small or flat beside the others");
+                     "[[ellipsoid]] is too far away, or too large, small or flat compared with the others");
     }
     composed_->quadrics.push_back(quadric);
     return Done{};
@@ -348,7 +348,7 @@ class Composer {
     LineSet set{.segments = segments, .mesh = meshes_.index_of(placed, scale), .material = *material};
     if (!to_transform(still(placed, scale), set.transform)) {
       return at_line(file_.path, placed.file->line,
-                     "[[instance]] has lines that are too far away, or too large or small beside the others");
+                     "[[instance]] has lines that are too far away, or too large or small compared with the others");
     }
     composed_->lines.push_back(set);
     return Done{};
@@ -380,8 +380,9 @@ class Composer {
       const Vector scale = meshes_.scale_of(placed);
       Transform transform;
       if (!to_transform(still(placed, scale), transform)) {
-        return at_line(file_.path, lines.line,
-                       fmt::format("{} are too far away, or too large or small beside the others", lines.title()));
+        return at_line(
+            file_.path, lines.line,
+            fmt::format("{} are too far away, or too large or small compared with the others", lines.title()));
       }
       const std::uint16_t mesh = meshes_.index_of(placed, scale);
       add_set(mesh, lines.are_points ? points_of(composed_->meshes[mesh]) : edges_of(composed_->meshes[mesh]),

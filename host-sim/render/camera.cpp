@@ -103,7 +103,8 @@ Result<Camera> place_camera(const CameraOptions& options, const Units& units, do
     if (distance > kFarthest) return out_of_range("--orbit");
     if (!orbit(camera, to_fixed(target), sim::to_fixed(distance), to_angle(options.orbit->phi),
                to_angle(options.orbit->theta))) {
-      return Failure{ExitStatus::usage, "--orbit: the radius must be greater than 0, and not tiny beside the model"};
+      return Failure{ExitStatus::usage,
+                     "--orbit: the radius must be greater than 0, and not tiny compared with the model"};
     }
   }
   if (const Result<Done> focal = set_focal(camera, options); !focal) return focal.failure();

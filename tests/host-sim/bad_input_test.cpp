@@ -255,8 +255,8 @@ TEST_F(BadInput, Options) {
   usage("'--quiet' is an option of render and bake", {"plan", "teapot", "--quiet"});
   usage("'--turntable' is an option of bake; render has none", {"render", "teapot", "--turntable"});
   usage("'--smaples' is unknown, did you mean --samples?", {"render", "teapot", "--smaples=4"});
-  usage("'--size' stands behind '--', the end of all options", {"render", "teapot", "--", "--size", "3x3"});
-  usage("'--size' stands behind '--', the end of all options", {"render", "--", "teapot", "--size", "3x3"});
+  usage("'--size' comes after '--', which ends the options", {"render", "teapot", "--", "--size", "3x3"});
+  usage("'--size' comes after '--', which ends the options", {"render", "--", "teapot", "--size", "3x3"});
   usage("'--versoin' is unknown, did you mean --version?", {"--versoin"});
 }
 

@@ -262,7 +262,7 @@ TEST_F(GltfReader, DamageThatLeavesAPictureIsAWarning) {
   for (const auto& [text, warning] : std::vector<std::pair<std::string, std::string>>{
            {with(R"("scene":0)", R"("scene":5)"), "scene 5 does not exist: the first one is drawn"},
            {with(node, R"({"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"translation":[9,0,0]})"),
-            "1 node drawn by the matrix alone: translation, rotation and scale beside it are left out"},
+            "1 node drawn by the matrix alone: translation, rotation and scale next to it are left out"},
            {with(primitive, primitive + R"(,"material":7)"),
             "1 part of meshes drawn without material: theirs does not exist"},
            {with(R"("meshes")", R"("materials":[{"name":"leaf","alphaMode":"Blend"}],"meshes")"),

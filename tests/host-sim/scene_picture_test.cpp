@@ -208,8 +208,8 @@ TEST_F(ScenePicture, AnOutlineOfAModelThatIsTooSmallIsLeftOutWithAWarning) {
     const Outcome outcome = zstrip({"render", "scene.toml", "-o", "small.png", "--quiet"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err,
-              "zstrip: warning: 'scene.toml' line 8: [instance.outline] is left out: the model is too small beside the "
-              "rest of the scene\n");
+              "zstrip: warning: 'scene.toml' line 8: [instance.outline] is left out: the model is too small for this "
+              "scene\n");
   }
   file("plain.toml", model);
   file("scene.toml", model + "outline = { colour = '#ff0000' }\n[[instance]]\nmodel = 'c'\nscale = 1e-6\n");

@@ -81,7 +81,7 @@ void warn_of_gltf_damage(const GltfJson& json, std::vector<std::string>& warning
     if (count > 0) warnings.push_back(fmt::format("{} {}", counted(count, what), words));
   };
   warn_of_scene(json, warnings);
-  warn_of(nodes, "node", "drawn by the matrix alone: translation, rotation and scale beside it are left out");
+  warn_of(nodes, "node", "drawn by the matrix alone: translation, rotation and scale next to it are left out");
   warn_of(primitives, "part", "of meshes drawn without material: theirs does not exist");
   warn_of_materials(json, warnings);
   warn_of(textures, "texture", "repeated: the sampler does not exist");
