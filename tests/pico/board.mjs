@@ -1,7 +1,6 @@
-// The Raspberry Pi Pico with the panel of firmware/boards/pico/pins.hpp at its pins: what the panel's lines carry, and
-// when, and what the console says.
-import {boot} from './boot_rom.mjs';
-import {Chip} from './chip.mjs';
+// The Raspberry Pi Pico, or a Pico 2, with the panel of firmware/boards/pico/pins.hpp at its pins: what the panel's
+// lines carry, and when, and what the console says.
+import {Chip as Rp2040} from './chip.mjs';
 
 const kSelect = 17, kDataCommand = 20, kReset = 21, kLight = 22;
 const kLow = 0, kHigh = 1;  // of GPIOPinState; all others are inputs
@@ -9,8 +8,8 @@ const kMemoryWrite = 0x2c;
 const kInterruptControl = 0xd04;  // of the private peripheral bus: has the pending tick of the frame clock
 
 export class Board {
-  /** `pixelBytes`: of a frame on the bus. `options`: of a chip. */
-  constructor(library, flash, pixelBytes, options = {}) {
+  /** `pixelBytes`: of a frame on the bus. `Chip`: a class like that of chip.mjs; `options`: its options. */
+  constructor(library, flash, pixelBytes, {Chip = Rp2040, ...options} = {}) {
     this.lines = [];   // for the panel's model (panel.cpp): nanoseconds, a word, its value
     this.burst = [];   // bytes that follow each other, whose line is not ended
     this.console = '';  // what was said
@@ -23,7 +22,7 @@ export class Board {
     const {emulator} = this.chip;
     emulator.uart[0].onByte = (byte) => { this.console += String.fromCharCode(byte); };
     this.wireUp(emulator);
-    const watchdog = emulator.peripherals[0x40058];
+    const {watchdog} = this.chip;
     watchdog.onWatchdogTrigger = () => {
       watchdog.alarm.enable = false;  // an expired one would never let time go on
       this.chip.end('watchdog');
@@ -33,7 +32,7 @@ export class Board {
       if (offset === kInterruptControl) this.frameClockRead();
       return read(offset);
     };
-    boot(this.chip);
+    this.chip.boot();
   }
 
   wireUp(emulator) {

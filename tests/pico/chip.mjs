@@ -1,5 +1,6 @@
 // An RP2040 in rp2040js, as strict as the chip where the emulator is not: what the chip would not take is a complaint,
 // and ends the run. Traps of the emulator that are corrected here stand where they are.
+import {boot} from './boot_rom.mjs';
 import {execute} from './cycles.mjs';
 import {replaceFlashInterface} from './flash_interface.mjs';
 import {addRules} from './rules.mjs';
@@ -42,6 +43,8 @@ export class Chip {
   }
 
   get nanos() { return this.emulator.clock.nanos; }
+  get watchdog() { return this.emulator.peripherals[0x40058]; }
+  boot() { boot(this); }
 
   /** Calls end() of `why` after this time. */
   endIn(seconds, why) { this.emulator.clock.createAlarm(() => this.end(why)).schedule(seconds * 1e9); }

@@ -18,6 +18,7 @@ import {fileURLToPath, pathToFileURL} from 'node:url';
 import {fetchPackage, skip, skipMissing} from '../npm_package.mjs';
 
 import {Board} from './board.mjs';
+import {commandOf, kFrameBytes, shownOn, verdict, wrongWhenBaked} from './checks.mjs';
 import {crc} from './boot_rom.mjs';
 import {Counters, stackBytes} from './figures.mjs';
 import {kMutations, kStuckMutations, mutationOf} from './mutations.mjs';
@@ -25,7 +26,6 @@ import {wrongPredictions} from './prediction.mjs';
 import {flashOf} from './uf2.mjs';
 
 const kHere = dirname(fileURLToPath(import.meta.url));
-const kFrameBytes = 240 * 240 * 2;
 const kScene = 1 << 20;  // from the flash's beginning: docs/formats.md
 
 function fetchEmulator(work) {
@@ -37,19 +37,6 @@ function fetchEmulator(work) {
   } catch (error) {
     return skipMissing(error, work);
   }
-}
-
-/** What the panel's model says of the lines, each a string. */
-function shownOn(panel, board, ...words) {
-  const {status, stdout, stderr} = spawnSync(panel, words, {input: board.wire(), encoding: 'utf8'});
-  if (status !== 0 && status !== 1) throw new Error(`${panel}: ${stderr}`);
-  return stdout.trim().split('\n');
-}
-
-/** Prints what is wrong. */
-function verdict(wrong) {
-  for (const line of wrong) console.log(line);
-  return wrong.length === 0 ? 0 : 1;
 }
 
 /** Two frames, with ZSTRIP_LONG a whole turn; and the glass switched on before. */
@@ -188,54 +175,6 @@ function hot({hotUf2, ...given}) {
   const [usual, less] = frames.map(({misses}) => misses);
   console.log(`${usual} misses a frame, ${less} with hot code in RAM`);
   return 4 * less < 3 * usual ? 0 : 1;
-}
-
-/** `run(...words)` is the command; `file(name)` is one in an empty folder. */
-function commandOf(zstrip, folder) {
-  rmSync(folder, {recursive: true, force: true});
-  mkdirSync(folder, {recursive: true});
-  return {
-    file: (name) => join(folder, name),
-    run(...words) {
-      const {status, stderr} = spawnSync(zstrip, [...words, '--quiet'], {cwd: folder, encoding: 'utf8'});
-      if (status !== 0) throw new Error(`zstrip ${words.join(' ')}: ${stderr}`);
-    },
-  };
-}
-
-const kSteps = 64;  // of the motion, where a host steps through it
-
-/**
- * Frame 0, one in real time, and two steps, of a scene that is baked for the player; what is wrong. The files for the
- * loader, one with both or one after the other, fill the flash alike.
- */
-function wrongWhenBaked({library, uf2, panel, zstrip, folder}, scene) {
-  const {run, file} = commandOf(zstrip, folder);
-  const picture = ['--size', '240x240', '--format', 'rgb565_swapped'];
-  run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--with', uf2);
-  run('bake', scene, '-o', 'scene.uf2', '--samples', '1');
-  run('bake', scene, '-o', 'scene.zsc', '--samples', '1', ...picture);
-  run('render', 'scene.zsc', '-o', 'frames', '--frames', `${kSteps}`, '--image', 'ppm', ...picture);
-  const flash = flashOf(file('both.uf2'));
-  if (Buffer.compare(flash, flashOf(file('both.uf2'), uf2, file('scene.uf2'))) !== 0) return ['the flash differs'];
-
-  const board = new Board(library, flash, kFrameBytes), {chip} = board;
-  const type = (keys) => [...keys].forEach((key) => chip.emulator.uart[0].feedByte(key.charCodeAt(0)));
-  board.onFrame = (frame) => {
-    if (frame === 2) type('pn');
-    if (frame === 3) type('n');
-    if (frame === 4) chip.end('frames');
-  };
-  chip.endIn(20, 'time');
-  chip.run();
-  const said = board.console.split('\n').slice(0, -1).map((line) => Number(/^frame (\d+)$/.exec(line)?.[1]));
-  const [first] = said, wrong = [...chip.complaints];
-  if (said.length !== 2 || !(first >= 0) || said[1] !== first + 1) wrong.push(`the console says ${board.console}`);
-  const fileOf = (step) => file(`frames/frame_${String(step % kSteps).padStart(4, '0')}.ppm`);
-  const expected = [fileOf(0), '-', fileOf(first + 1), fileOf(first + 2)];
-  const shown = shownOn(panel, board, ...expected.flatMap((name) => ['--frame', name]));
-  if (shown.pop() !== '5 pictures') wrong.push(`not 4 frames: ended by ${chip.ended}`);
-  return [...wrong, ...shown];
 }
 
 function baked(given) {

@@ -1,6 +1,6 @@
 // The Pico 2's sources (firmware/boards/pico, pico2) compiled for this machine, their registers in a model of the chip:
-// start, console, timer, panel by DMA, a bus that gets stuck, watchdog. No emulator here has the chip; its processor's
-// code runs elsewhere (docs/hardware-review.md).
+// start, console, timer, panel by DMA, a bus that gets stuck, watchdog. The program as a whole runs in an emulator
+// (pico2.mjs), which accepts mistakes that this model does not (docs/hardware-review.md).
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <sys/mman.h>
