@@ -2,7 +2,9 @@
 #ifndef LV_CONF_H
 #define LV_CONF_H
 #define LV_COLOR_DEPTH 16
+#ifndef LV_MEM_SIZE /* a board has less */
 #define LV_MEM_SIZE (1024 * 1024U)
+#endif
 #define LV_DEF_REFR_PERIOD 10
 #define LV_USE_LOG 1
 #define LV_LOG_LEVEL LV_LOG_LEVEL_WARN
