@@ -23,14 +23,14 @@ void take_fingerprints(const FrameState& frame, const Camera& camera, std::uint3
 /// A number for each of the first `strips` strips of a frame. If it is equal in two frames, and not 0, the strip has
 /// the same pixels in both; 0 means that nothing is known. It is found without drawing: a strip that nothing touches
 /// depends on the background alone, any other one on camera, light, materials and tables of the scene, and on the
-/// instances, sprites and labels whose boxes touch it. So a strip with a moving instance differs, and strips beside
-/// it do not. Quadrics and lines count for all strips that the scene's rectangle touches, as do all instances of
+/// instances, sprites and labels whose boxes touch it. So a strip with a moving instance differs, and other strips
+/// do not. Quadrics and lines count for all strips that the scene's rectangle touches, as do all instances of
 /// scenes with shadows, CSG or edges. Instances with outlines or Mesh::skinning have no fingerprint.
 ///
-/// Unequal strips have equal fingerprints with a probability of 2^-32. What tables contain that a Mesh, a Texture, a
-/// Font or an OverlayImage refers to is not read: pass another `version` when a program changed them. So it must when
-/// another renderer draws the scene with other effects. Visibility methods that keep something for the next frame need
-/// all strips.
+/// Unequal strips have equal fingerprints with a probability of 2^-32. The tables that a Mesh, a Texture, a Font or an
+/// OverlayImage refers to are not read: pass another `version` after the program has changed them, and if another
+/// renderer draws the scene with other effects. Visibility methods that keep something for the next frame need all
+/// strips.
 template <std::size_t strips>
 class StripFingerprints {
  public:

@@ -51,13 +51,13 @@ constexpr DcsConfig turned(DcsConfig module, Rotation by) {
   return module;
 }
 
-/// In what a controller is not usual.
+/// The traits of a controller; the defaults are usual.
 struct DcsTraits {
   bool widens_565 = false;    ///< its bus takes no pixels of 16 bits, so that rgb565_swapped is sent as rgb666
   bool even_areas = false;    ///< areas must begin and end at even columns and rows
   bool exchanges = true;      ///< rows and columns can be exchanged
   bool reverses_rows = true;  ///< rows can be counted from the bottom
-  std::uint8_t brightness_control = 0x24;  ///< what WRCTRLD takes for a brightness by command: block and backlight on
+  std::uint8_t brightness_control = 0x24;  ///< parameter of WRCTRLD, so that commands set the brightness
 };
 
 /// A driver of a controller defines these members:
@@ -66,7 +66,7 @@ struct DcsTraits {
 ///   - kSettings: commands for every module, as DcsConfig::module_commands
 ///   - kHasBrightness: true if the controller has a PWM output for a backlight
 ///   - kId: the three bytes that read_id(bus, id) reads on a ReadableBus; 0 if it has no read_id
-///   - kTraits, only if it is not usual in something
+///   - kTraits, only if one of them is not usual
 template <class T>
 concept DcsController = requires(PixelFormat format) {
   { T::kColumns } -> std::convertible_to<std::uint16_t>;
@@ -98,7 +98,7 @@ Error read_display_id(Bus& bus, std::span<std::byte, 3> id) {
 }
 
 /// Read ID4, D3h, of Ilitek's controllers: an unused parameter, then three bytes. On a serial bus each read returns one
-/// byte; `select` is the command that selects which.
+/// byte; `select` is the command that selects the byte.
 template <ReadableBus Bus>
 Error read_id4(Bus& bus, std::byte select, std::span<std::byte, 3> id) {
   constexpr std::byte kReadId4{0xD3};

@@ -18,7 +18,7 @@ std::string with_namespace(std::string text, const std::string& name_space);
 bool bends(const BakedScene& baked);
 /// Returns a call that moves them to their place at a time, with a placeholder for the namespace.
 std::string pose_call(const BakedScene& baked, std::string_view time);
-/// The words of a program that could not move them.
+/// The message of a program that could not move them.
 std::string pose_words(const BakedScene& baked);
 
 std::string first_line(const BakedScene& baked);

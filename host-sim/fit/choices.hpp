@@ -1,4 +1,4 @@
-// Tries smaller versions of a model: what each takes of a board, and how much its picture differs.
+// Tries smaller versions of a model: the flash, memory and time of each, and how much its picture differs.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ class XmlTags {
   std::optional<XmlTag> next();
 
  private:
-  /// Skips to behind these characters.
+  /// Skips these characters and all text before them.
   void skip(std::string_view end);
 
   std::string_view rest_;

@@ -1,9 +1,9 @@
-// The assembly at the begin of each row of a medium triangle.
+// The assembly at the start of each row of a medium triangle.
 #pragma once
 
 // zstrip_medium_edges: moves both edges of the scan in r0 a row down. Returns the row's first column in r7, the one
 // after its last in r1, and the address after the edges, that of depth_row, in r6. Changes r2 to r5. Needs the names of
-// thumb/medium_layout.hpp. A text in each function, as in macros.hpp.
+// thumb/medium_layout.hpp. Each function contains it, as in macros.hpp.
 //
 // zstrip_medium_edge at: moves the edge at offset `at`, whose address is in r6; r6 then points after it. Returns its
 // column in r1.

@@ -1,8 +1,8 @@
-// The assembly at the begin of each row of a medium triangle.
+// The assembly at the start of each row of a medium triangle.
 #pragma once
 
 // zstrip_medium_edges: moves both edges a row down. Returns the row's first column in lr and the number of columns in
-// r12. Changes r1 to r10. Needs the names of thumb/medium_layout.hpp. A text in each function, as in thumb1/macros.hpp.
+// r12. Changes r1 to r10. Needs the names of thumb/medium_layout.hpp. Each function contains it: thumb1/macros.hpp.
 #define ZSTRIP_MEDIUM_EDGES                 \
   ".macro zstrip_medium_edges\n"            \
   "  ldm   r0, {r1-r10}\n"                  \

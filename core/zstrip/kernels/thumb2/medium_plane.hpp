@@ -4,7 +4,7 @@
 // zstrip_medium_plane start, step_y, step_x: stores the plane of a value r1 at vertex 0, with differences r2 and r3 to
 // vertices 1 and 2, at these offsets from r0. Needs the mantissa of 1 / area in r4, the shifted weights of vertices 1
 // and 2 (right r11 and r9, down r10 and r8), and the distance to the anchor in r12 and lr, as in MediumScan::shared.
-// Changes r1 to r3 and r5 to r7. A text in each function, as in thumb1/macros.hpp.
+// Changes r1 to r3 and r5 to r7. Each function contains it, as in thumb1/macros.hpp.
 //
 // zstrip_medium_step at, way: computes a step in r7 and r5 from its product with the area in r6 and r5, and stores it
 // at offset `at`. Then r6 and r5 are the step times `way`.

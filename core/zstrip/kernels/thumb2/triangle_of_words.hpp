@@ -6,7 +6,7 @@
 // zstrip_triangle_box: computes the box of the vertices r4 (the highest), r5 and r6, in pixels: left r7, top r4, right
 // r8 and bottom r5. Compares the sum of its sides with kSmallExtent, for `hs`. Changes r6, r9 and r12.
 //
-// A text in each function, as in thumb1/macros.hpp.
+// Each function contains this text, as in thumb1/macros.hpp.
 #pragma once
 
 #if defined(__ARM_FEATURE_DSP)
