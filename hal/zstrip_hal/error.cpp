@@ -18,6 +18,7 @@ const char* message(Error error) {
     case Error::flip: return "the last page flip did not happen";
     case Error::wrong_id: return "another controller answers, or none";
     case Error::second_core: return "the second core did not answer in time";
+    case Error::underrun: return "the panel has read a strip before it was drawn";
   }
   return "unknown error";
 }

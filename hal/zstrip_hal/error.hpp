@@ -20,6 +20,7 @@ enum class [[nodiscard]] Error : std::uint8_t{
     flip,              ///< the screen has not shown the previous picture in the time that its driver states
     wrong_id,          ///< the controller answers with another id, or does not answer
     second_core,       ///< the second core kept the first one waiting
+    underrun,          ///< the panel has read a strip before it was complete
 };
 
 /// A short English phrase without a full stop, in static storage.

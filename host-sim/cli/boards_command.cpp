@@ -59,6 +59,7 @@ std::string boards_json() {
                       {"spi_mhz", megahertz(panel.fastest_spi)},
                       {"i2c_mhz", megahertz(panel.fastest_i2c)},
                       {"qspi_mhz", megahertz(panel.fastest_qspi)},
+                      {"rgb_mhz", megahertz(panel.fastest_rgb)},
                       {"rotates", has_orientation(panel, {.rotation = hal::Rotation::by_90})}});
   }
   for (int index = 0; index <= static_cast<int>(kLastPixelFormat); ++index) {

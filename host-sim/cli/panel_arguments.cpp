@@ -34,11 +34,13 @@ struct Bus {
   Nanoseconds cycle{};
 };
 
-constexpr std::string_view kBusNames[] = {"spi", "i2c", "qspi"};
+constexpr std::string_view kBusNames[] = {"spi", "i2c", "qspi", "rgb"};
+constexpr std::string_view kBusWords[] = {"SPI", "I2C", "QSPI", "RGB"};
 
-std::string_view bus_word(BusKind kind) { return kind == BusKind::spi ? "SPI" : kind == BusKind::i2c ? "I2C" : "QSPI"; }
+std::string_view bus_word(BusKind kind) { return kBusWords[static_cast<std::size_t>(kind)]; }
 
-/// Parses "spi@40MHz", "i2c@400kHz" or "qspi@40MHz"; without a speed, uses the fastest that the data sheet allows.
+/// Parses "spi@40MHz", "i2c@400kHz", "qspi@40MHz" or "rgb@9MHz"; without a speed, uses the fastest that the data sheet
+/// allows.
 Result<Bus> parse_bus(const std::string& text, const PanelKind& kind) {
   const std::size_t at = text.find('@');
   const std::string name = text.substr(0, at);
@@ -48,7 +50,7 @@ Result<Bus> parse_bus(const std::string& text, const PanelKind& kind) {
   bus.cycle = kind.fastest(bus.kind);
   if (bus.cycle == 0ns) {
     return usage(fmt::format("--bus {}: the {} has no {}, only {}", name, kind.name, bus_word(bus.kind),
-                             bus_word(kind.fastest_spi != 0ns ? BusKind::spi : BusKind::qspi)));
+                             bus_word(kind.usual_bus())));
   }
   if (at == std::string::npos) return bus;
 
@@ -105,8 +107,9 @@ void add_panel_options(CLI::App& command, PanelArguments& arguments) {
       ->transform(lower_case())
       ->type_name("NAME");
   command
-      .add_option("--bus", a.bus,
-                  "The panel's bus and its clock: spi@40MHz, i2c@400kHz, qspi@50MHz (default: the fastest it allows)")
+      .add_option(
+          "--bus", a.bus,
+          "The panel's bus and its clock: spi@40MHz, i2c@400kHz, qspi@50MHz, rgb@9MHz (default: the fastest it allows)")
       ->transform(lower_case())
       ->type_name("BUS");
   command.add_option("--rotation", a.rotation, "Rotates the picture on the panel, clockwise: 0, 90, 180 or 270")
@@ -128,7 +131,8 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
   }
   const Result<const PanelKind*> kind = parse_kind(*arguments.panel);
   if (!kind) return kind.failure();
-  const Result<Bus> bus = parse_bus(arguments.bus.value_or((*kind)->fastest_spi != 0ns ? "spi" : "qspi"), **kind);
+  const Result<Bus> bus =
+      parse_bus(arguments.bus.value_or(std::string(kBusNames[static_cast<std::size_t>((*kind)->usual_bus())])), **kind);
   if (!bus) return bus.failure();
   const Result<hal::Rotation> rotation = parse_rotation(arguments.rotation.value_or("0"));
   if (!rotation) return rotation.failure();
@@ -142,6 +146,9 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
   if (!has_orientation(**kind, request.orientation)) {
     return usage(
         fmt::format("--rotation {}: a {} cannot show a picture so", arguments.rotation.value_or("0"), (*kind)->name));
+  }
+  if (request.changes && request.bus == BusKind::rgb) {
+    return usage(fmt::format("--changes: a {} has no memory, and needs every strip in each refresh", (*kind)->name));
   }
   if (size) {
     const Result<PanelModule> module = parse_module(*size, **kind, is_sideways(request.orientation));

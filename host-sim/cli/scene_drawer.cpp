@@ -88,7 +88,7 @@ Result<DrawnFrame> SceneDrawer::draw(const Staging& placed, Show show) {
     visibility.potentially_visible = *visible;
   }
   renderer_.set_visibility(request.method, visibility, request.temporal);
-  const auto bus_use = [this] { return panel_ ? BusUse{panel_->bus().bytes(), panel_->busy().count()} : BusUse{}; };
+  const auto bus_use = [this] { return panel_ ? BusUse{panel_->bytes(), panel_->busy().count()} : BusUse{}; };
   const BusUse before = bus_use();
   const Result<FrameReport> report = renderer_.render(staging);
   if (!report) return report.failure();

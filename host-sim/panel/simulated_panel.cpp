@@ -1,6 +1,7 @@
 // Combines drivers and models, with the wiring of the usual modules.
 #include "panel/simulated_panel.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -8,6 +9,8 @@
 
 #include "panel/dcs_model.hpp"
 #include "panel/on_qspi.hpp"
+#include "panel/rgb_model.hpp"
+#include "panel/rgb_scanner.hpp"
 #include "panel/ssd0323_model.hpp"
 #include "panel/ssd1306_model.hpp"
 #include "panel/ssd1351_model.hpp"
@@ -18,6 +21,7 @@
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/ili9342.hpp"
 #include "zstrip_hal/ili9488.hpp"
+#include "zstrip_hal/scanned_panel.hpp"
 #include "zstrip_hal/sh8601.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
@@ -48,11 +52,13 @@ constexpr PanelModule kSsd1351Modules[] = {{128, 128, 0, 0}, {128, 96, 0, 0}};
 constexpr PanelModule kSsd1306Modules[] = {{128, 64, 0, 0}, {128, 32, 0, 0}, {64, 48, 32, 0}};
 constexpr PanelModule kSsd0323Modules[] = {{128, 64, 0, 0}};
 constexpr PanelModule kSsd1680Modules[] = {{128, 296, 0, 0}, {122, 250, 0, 0}};
+constexpr PanelModule kSt7262Modules[] = {{480, 272, 0, 0}};
 
 constexpr PixelFormat kColours[] = {PixelFormat::rgb565_swapped, PixelFormat::rgb666, PixelFormat::rgb444};
 constexpr PixelFormat kWideFirst[] = {PixelFormat::rgb666, PixelFormat::rgb565_swapped};
 constexpr PixelFormat kGreys[] = {PixelFormat::gray4};
 constexpr PixelFormat kMono[] = {PixelFormat::mono};
+constexpr PixelFormat kWords[] = {PixelFormat::rgb565};
 
 constexpr std::span<const PixelFormat> kAll(kColours);
 
@@ -71,6 +77,7 @@ constexpr PanelKind kKinds[] = {
     {"co5300", kCo5300Modules, kAll.first(1), 0ns, 0ns, 20ns},
     {"sh8601", kSh8601Modules, kAll.first(1), 0ns, 0ns, 20ns},
     {"st77916", kSt77916Modules, kAll.first(1), 0ns, 0ns, 20ns},
+    {"st7262", kSt7262Modules, kWords, 0ns, 0ns, 0ns, 83ns},
 };
 
 /// Owns the objects that the driver refers to.
@@ -93,7 +100,8 @@ class PanelOf final : public SimulatedPanel {
   hal::Error end_frame() override { return driver_.end_frame(); }
 
   const PanelModel& model() const override { return *model_; }
-  const ModelBus& bus() const override { return bus_; }
+  std::uint64_t bytes() const override { return bus_.bytes(); }
+  Nanoseconds busy() const override { return bus_.busy() + model_->refreshing(); }
 
  private:
   std::unique_ptr<PanelModel> model_;
@@ -195,8 +203,72 @@ std::unique_ptr<SimulatedPanel> ssd1680_panel(const PanelRequest& request) {
                                                     [&](ModelBus& bus) { return ModelledSsd1680(bus, panel, config); });
 }
 
+/// An RGB panel whose controller reads strips of eight rows. Drawing takes no time here, so that no strip is late, and
+/// a frame is a refresh.
+class RgbPanel final : public SimulatedPanel {
+ public:
+  static constexpr std::uint16_t kRows = 8;
+
+  explicit RgbPanel(const RgbTimings& timings)
+      : scanner_(model_, timings, kRows,
+                 [this](std::span<std::byte> buffer, std::uint16_t strip) {
+                   driver_.ask(buffer, strip);
+                   asked_for_ = strip;
+                 }),
+        driver_(scanner_, {.width = timings.width, .height = timings.height, .rows = kRows}) {}
+
+  hal::Error start() override {
+    scanner_.start();
+    read_to_the_last_strip();
+    begin_ = model_.now();
+    return hal::Error::none;
+  }
+  std::uint16_t width() const override { return driver_.width(); }
+  std::uint16_t height() const override { return driver_.height(); }
+  PixelFormat format() const override { return driver_.format(); }
+  hal::Error begin_frame() override { return driver_.begin_frame(); }
+  hal::Error write(const hal::Area& area, std::span<std::byte> pixels) override {
+    const std::size_t row = hal::bytes_per_row(area.width, format());
+    for (std::uint16_t from = 0; from < area.height; from = static_cast<std::uint16_t>(from + kRows)) {
+      const auto rows = static_cast<std::uint16_t>(std::min<int>(kRows, area.height - from));
+      const hal::Area part{area.left, static_cast<std::uint16_t>(area.top + from), area.width, rows};
+      const hal::Error error = driver_.write(part, pixels.subspan(from * row, rows * row));
+      if (error != hal::Error::none) return error;
+    }
+    return hal::Error::none;
+  }
+  hal::Error wait() override { return driver_.wait(); }
+  hal::Error end_frame() override {
+    read_to_the_last_strip();
+    scanner_.show_rest();
+    return driver_.end_frame();
+  }
+
+  const PanelModel& model() const override { return model_; }
+  std::uint64_t bytes() const override { return scanner_.bytes(); }
+  Nanoseconds busy() const override { return model_.now() - begin_; }
+
+ private:
+  /// Until the controller asks for the first strip of the next frame.
+  void read_to_the_last_strip() {
+    do scanner_.wait(1);
+    while (asked_for_ != 0);
+  }
+
+  RgbModel model_;
+  RgbScanner scanner_;
+  hal::ScannedPanel<RgbScanner> driver_;
+  std::uint16_t asked_for_ = 0;  // the strip
+  Nanoseconds begin_{};
+};
+
 std::unique_ptr<SimulatedPanel> whole_panel(const PanelRequest& request) {
   const std::string_view name = request.kind->name;
+  if (name == "st7262") {
+    RgbTimings timings = kRgbTimings480x272;
+    timings.pixel = request.cycle;
+    return std::make_unique<RgbPanel>(timings);
+  }
   if (name == "ssd1351") return ssd1351_panel(request);
   if (name == "ssd1306") return ssd1306_panel(request);
   if (name == "ssd0323") return ssd0323_panel(request);
@@ -246,7 +318,8 @@ class ChangesPanel final : public SimulatedPanel {
   bool shows(const hal::Area& area, std::uint32_t fingerprint) override { return changes_.shows(area, fingerprint); }
 
   const PanelModel& model() const override { return panel_->model(); }
-  const ModelBus& bus() const override { return panel_->bus(); }
+  std::uint64_t bytes() const override { return panel_->bytes(); }
+  Nanoseconds busy() const override { return panel_->busy(); }
 
  private:
   std::unique_ptr<SimulatedPanel> panel_;
@@ -271,6 +344,7 @@ std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
 
 bool has_orientation(const PanelKind& kind, const hal::Orientation& orientation) {
   const std::string_view name = kind.name;
+  if (kind.fastest_rgb != 0ns) return orientation == hal::Orientation{};
   const hal::DcsTraits traits = name == "co5300"   ? hal::Co5300Controller::kTraits
                                 : name == "sh8601" ? hal::Sh8601Controller::kTraits
                                                    : hal::DcsTraits{};
@@ -283,6 +357,7 @@ std::uint16_t row_step(const PanelRequest& request) {
   const std::string_view name = request.kind->name;
   if (name == "ssd1306" && !sideways) return hal::Ssd1306<ModelBus>::kRowStep;
   if (name == "ssd0323" && sideways) return hal::Ssd0323<ModelBus>::kRowStep;
+  if (name == "st7262") return RgbPanel::kRows;
   if (name == "co5300" || name == "sh8601") return hal::Co5300<ModelBus, ModelBus>::kRowStep;
   return 1;
 }

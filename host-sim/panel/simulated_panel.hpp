@@ -15,7 +15,7 @@
 
 namespace zstrip::sim {
 
-enum class BusKind : std::uint8_t { spi, i2c, qspi };
+enum class BusKind : std::uint8_t { spi, i2c, qspi, rgb };
 
 /// A module on the market: a controller and its glass, upright.
 struct PanelModule {
@@ -34,10 +34,22 @@ struct PanelKind {
   Nanoseconds fastest_spi;                    ///< time of a cycle, from its data sheet; 0: it has no SPI
   Nanoseconds fastest_i2c;                    ///< 0: it has no I2C
   Nanoseconds fastest_qspi{};                 ///< 0: it has no QSPI
+  Nanoseconds fastest_rgb{};                  ///< of its pixel clock; 0: it is not refreshed by an RGB bus
 
   /// Returns the time of a cycle on this bus, 0 if it has none.
   constexpr Nanoseconds fastest(BusKind bus) const {
-    return bus == BusKind::spi ? fastest_spi : bus == BusKind::i2c ? fastest_i2c : fastest_qspi;
+    switch (bus) {
+      case BusKind::spi: return fastest_spi;
+      case BusKind::i2c: return fastest_i2c;
+      case BusKind::qspi: return fastest_qspi;
+      case BusKind::rgb: return fastest_rgb;
+    }
+    return {};
+  }
+  /// Returns the bus that is used if none is named.
+  constexpr BusKind usual_bus() const {
+    if (fastest_rgb != Nanoseconds{}) return BusKind::rgb;
+    return fastest_spi != Nanoseconds{} ? BusKind::spi : BusKind::qspi;
   }
 };
 
@@ -74,9 +86,10 @@ class SimulatedPanel {
   static constexpr std::size_t kStrips = 256;
 
   virtual const PanelModel& model() const = 0;
-  virtual const ModelBus& bus() const = 0;
+  /// Returns the bytes of all transfers.
+  virtual std::uint64_t bytes() const = 0;
   /// Returns the time of all transfers and refreshes.
-  Nanoseconds busy() const { return bus().busy() + model().refreshing(); }
+  virtual Nanoseconds busy() const = 0;
 };
 
 static_assert(hal::Display<SimulatedPanel>);

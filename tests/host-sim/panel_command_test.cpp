@@ -84,13 +84,33 @@ TEST_F(PanelCommand, TheBusTakesTheTimeOfItsBytes) {
 
 TEST_F(PanelCommand, EveryPanelShowsFrames) {
   for (const char* panel : {"st7789", "ili9341", "st7735", "gc9a01", "st7796", "ili9342", "ili9488", "ssd1351",
-                            "ssd1306", "ssd0323", "ssd1680", "co5300", "sh8601", "st77916"}) {
+                            "ssd1306", "ssd0323", "ssd1680", "co5300", "sh8601", "st77916", "st7262"}) {
     const Outcome outcome = zstrip({"-o", panel, "--frames", "2", "--panel", panel});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "") << panel;
     EXPECT_NE(outcome.out.find("frames/s"), std::string::npos) << outcome.out;
     EXPECT_NE(read(path(std::string(panel) + "/frame_0000.png")), read(path(std::string(panel) + "/frame_0001.png")));
   }
+}
+
+TEST_F(PanelCommand, AnRgbPanelTakesARefreshForEachFrame) {
+  const Outcome outcome = zstrip({"-o", "rgb", "--panel", "st7262", "--bus", "rgb@9MHz", "--frames", "2", "--json", "-",
+                                  "--quiet", "--strip-rows", "16"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(report["panel"]["bus"], "RGB at 9.009 MHz");
+  for (const auto& frame : report["frames"]) {
+    EXPECT_EQ(frame["bus"]["bytes"], 480 * 272 * 2);
+    EXPECT_NEAR(frame["bus"]["time_ns"].get<double>(), 535 * 296 * 111, 2000);
+  }
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"--rotation", "90"}, {"--changes"}, {"--bus", "spi"}, {"--strip-rows", "12"}, {"--size", "480x270"}}) {
+    std::vector<std::string> all{"-o", "a.png", "--panel", "st7262"};
+    all.insert(all.end(), words.begin(), words.end());
+    EXPECT_EQ(zstrip(all).status, 2) << words[0];
+  }
+  const Outcome slow = zstrip({"-o", "a.png", "--panel", "st7262", "--bus", "rgb@6MHz"});
+  EXPECT_NE(slow.err.find("the pixel clock has 167 ns"), std::string::npos) << slow.err;
 }
 
 TEST_F(PanelCommand, WithChangesTheSameFramesTakeFewerBytes) {
