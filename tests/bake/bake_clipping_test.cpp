@@ -48,7 +48,7 @@ TEST_F(BakeClipping, StaysWhereSomethingComesTooNear) {
   EXPECT_EQ(why(ZSTRIP_SCENE_FILES "/perspective.toml", {"--turntable"}),
             "instance 0 leaves the thousand pixels around the picture's centre in frame 6 of 64 of a rotation");
   const Outcome words = zstrip({"bake", kHouseModel, "-o", "scene.hpp", "--turntable", "--orbit", "2,30,60"});
-  EXPECT_NE(words.out.find("  clipping   stays: instance 0 crosses the near plane in frame 11 of 64 of a turn\n"),
+  EXPECT_NE(words.out.find("  clipping   stays: instance 0 crosses the near plane in frame 11 of 64 of a rotation\n"),
             std::string::npos)
       << words.out;
 }

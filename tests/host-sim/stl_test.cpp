@@ -114,7 +114,7 @@ TEST_F(Stl, DamageIsRefusedForWhatItIs) {
   const struct {
     std::string content, words;
   } cases[] = {{"x", "neither STL text nor as long as a binary header"},
-               {bytes_of("", {0}, 1000), "not half of the triangles"},
+               {bytes_of("", {0}, 1000), "less than half of the triangles"},
                {"solid s\nfacet normal 0 0 1\nouter loop\nvertex SECRET 0 0\n", "has no triangles"},
                {replaced(kText, "vertex 1", "vertex SECRET"), "has no drawable triangle"}};
   for (const auto& [content, words] : cases) {
