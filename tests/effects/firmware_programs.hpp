@@ -23,7 +23,7 @@ struct Program {
   /// A static layer, kept in the compressed store, which maps of shadows are kept in, too.
   bool has_store() const { return begins_with_one_of({"lm3s6965evb_layers", "store_bench_"}); }
   /// On processors of which no assembly transforms vertices.
-  bool is_portable() const { return begins_with_one_of({"riscv_virt_", "versatilepb_"}); }
+  bool is_portable() const { return begins_with_one_of({"pico2_riscv_", "riscv_virt_", "versatilepb_"}); }
   /// On processors whose quotients come from a table.
   bool has_no_divider() const {
     return begins_with_one_of({"microbit_", "pico_", "versatilepb_"}) || name.ends_with("_m0");

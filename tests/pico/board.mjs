@@ -5,7 +5,6 @@ import {Chip as Rp2040} from './chip.mjs';
 const kSelect = 17, kDataCommand = 20, kReset = 21, kLight = 22;
 const kLow = 0, kHigh = 1;  // of GPIOPinState; all others are inputs
 const kMemoryWrite = 0x2c;
-const kInterruptControl = 0xd04;  // of the private peripheral bus: has the pending tick of the frame clock
 
 export class Board {
   /** `pixelBytes`: of a frame on the bus. `Chip`: a class like that of chip.mjs; `options`: its options. */
@@ -27,11 +26,7 @@ export class Board {
       watchdog.alarm.enable = false;  // an expired one would never let time go on
       this.chip.end('watchdog');
     };
-    const {ppb} = emulator, read = ppb.readUint32;
-    ppb.readUint32 = (offset) => {
-      if (offset === kInterruptControl) this.frameClockRead();
-      return read(offset);
-    };
+    this.chip.onWaiting(() => this.frameClockRead());
     this.chip.boot();
   }
 

@@ -6,6 +6,7 @@ import {replaceFlashInterface} from './flash_interface.mjs';
 import {addRules} from './rules.mjs';
 import {replaceSystick} from './systick.mjs';
 
+const kInterruptControl = 0xd04;  // of the private peripheral bus: has the pending tick of the frame clock
 const kUndefined = 0xa5;  // what RAM holds at power-on is not defined
 
 export class Chip {
@@ -45,6 +46,15 @@ export class Chip {
   get nanos() { return this.emulator.clock.nanos; }
   get watchdog() { return this.emulator.peripherals[0x40058]; }
   boot() { boot(this); }
+
+  /** Calls `then` where the program looks whether its frame clock has ticked. */
+  onWaiting(then) {
+    const {ppb} = this.emulator, read = ppb.readUint32;
+    ppb.readUint32 = (offset) => {
+      if (offset === kInterruptControl) then();
+      return read(offset);
+    };
+  }
 
   /** Calls end() of `why` after this time. */
   endIn(seconds, why) { this.emulator.clock.createAlarm(() => this.end(why)).schedule(seconds * 1e9); }

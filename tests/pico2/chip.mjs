@@ -9,16 +9,22 @@ const kFlash = 0x10000000, kRam = 0x20000000, kMaxBootSteps = 200000;
 const kCrystal = 12e6;
 const kSystemControl = 0x3c, kReferenceControl = 0x30;  // of the clocks, 8.1
 const kSystemControlSpace = 0xe000, kPage = 0xfff;      // of the private peripheral bus
+const kInterruptControl = 0xd04;                        // has the pending tick of the frame clock
+const kCompare = 0x1b8;                                 // of the platform timer in the SIO, 3.1.8
+const kInterruptEnable = 0x304, kTimerInterrupt = 1 << 7;  // a control register of RISC-V
 
 /** Waits of the second core take the emulator as long as work: none is executed until the first one wakes it. */
 const sleeps = (core) => core.waiting && !core.eventRegistered;
 
 export class Chip {
-  /** `library`: of rp2350js. `flash`: its bytes from the beginning. `mutate(bus)`: changes what is read and written. */
-  constructor(library, flash, {mutate} = {}) {
+  /**
+   * `library`: of rp2350js. `flash`: its bytes from the beginning. `processors`: 'arm' or 'riscv'. `mutate(bus)`: changes
+   * what is read and written.
+   */
+  constructor(library, flash, {processors = 'arm', mutate} = {}) {
     this.complaints = [];
     this.ended = '';
-    const rp2350 = this.rp2350 = new library.RP2350({coreArch: 'arm'});
+    const rp2350 = this.rp2350 = new library.RP2350({coreArch: processors});
     const {clock} = rp2350, [core] = rp2350.core;
     this.complain = (what) => {
       this.complaints.push(`${what} (${(clock.nanos / 1e6).toFixed(3)} ms, pc ${(core.PC >>> 0).toString(16)})`);
@@ -33,7 +39,9 @@ export class Chip {
     this.followClocks();
     this.rules = {spi: this.spiRules()};
     this.watchdog.timer.frequency = 1e6;  // 12.9: a tick; the emulator has that of the RP2040, twice a tick
-    this.correctSystick();
+    this.emulator = {clock, gpio: rp2350.gpio, spi: rp2350.spi, uart: rp2350.uart};
+    if (processors === 'arm') this.correctSystick();
+    else this.addMachineTimer();
     mutate?.(rp2350);
   }
 
@@ -64,19 +72,39 @@ export class Chip {
         isSpace(offset, number) ? space.readUint32(offset & kPage) : read(offset, number);
     ppb.writeUint32ViaCore = (offset, value, number) =>
         isSpace(offset, number) ? space.writeUint32(offset & kPage, value) : write(offset, value, number);
-    this.emulator = {
+    Object.assign(this.emulator, {
       ppb: space,
-      clock: rp2350.clock,
-      gpio: rp2350.gpio,
-      spi: rp2350.spi,
-      uart: rp2350.uart,
-      get clkSys() { return rp2350.clkSys; },
       core: {
         set pendingSystick(value) { state.pendingSystick = value; },
         set interruptsUpdated(value) { core.interruptsUpdated = value; },
       },
-    };
+    });
+    Object.defineProperty(this.emulator, 'clkSys', {get: () => rp2350.clkSys});
     replaceSystick(this.emulator, this.complain);
+    this.execute = () => execute(core, rp2350);
+    this.isWoken = () => state.pendingSystick;
+    this.onWaiting = (then) => {
+      const readSpace = space.readUint32;
+      space.readUint32 = (offset) => {
+        if (offset === kInterruptControl) then();
+        return readSpace(offset);
+      };
+    };
+  }
+
+  /** The emulator's platform timer ends no WFI. A program waits for a frame's end by setting the compare register. */
+  addMachineTimer() {
+    const {sio, core: [core]} = this.rp2350, write = sio.writeUint32.bind(sio);
+    let compare = 0, then = () => {};
+    sio.writeUint32 = (offset, value, number) => {
+      write(offset, value, number);
+      if (offset !== kCompare || number !== 0) return;
+      compare = value >>> 0;
+      then();
+    };
+    this.execute = () => core.executeInstruction();
+    this.isWoken = () => (core.csrs[kInterruptEnable] & kTimerInterrupt) !== 0 && sio.mtimeTimer.counter >= compare;
+    this.onWaiting = (wanted) => { then = wanted; };
   }
 
   /** 12.3: an SPI that sends 8 bits in mode 0, as master; switching it off empties it. */
@@ -130,7 +158,7 @@ export class Chip {
   step() {
     const {rp2350} = this, [core, other] = rp2350.core;
     rp2350.currentCore = 0;
-    const cycles = execute(core, rp2350);
+    const cycles = this.execute();
     if (sleeps(other)) {
       other.cycles = core.cycles;
     } else {
@@ -146,13 +174,13 @@ export class Chip {
    * of nothing but WFI the time passes at once.
    */
   run() {
-    const {clock, core: [core], ppb: {coreState: [state]}} = this.rp2350;
+    const {clock, core: [core]} = this.rp2350;
     let at = 0, cycles = 0;  // of the last WFI
     this.attempt(() => {
       while (!this.ended) {
         if (!core.waiting) {
           this.step();
-        } else if (state.pendingSystick) {
+        } else if (this.isWoken()) {
           core.waiting = false;
           if (core.PC === at && core.cycles - cycles <= 4) clock.tick(clock.nanosToNextAlarm);
           [at, cycles] = [core.PC, core.cycles];

@@ -1,4 +1,5 @@
-// The Pico 2's firmware in rp2350js, an emulator of its chip, from the boot ROM on.
+// The Pico 2's firmware in rp2350js, an emulator of its chip, from the boot ROM on; of programs whose names have _riscv_ on
+// its RISC-V processors.
 //   node pico2.mjs frames EMULATOR UF2 PANEL                  frames of the teapot are those of the host
 //   node pico2.mjs mutations EMULATOR UF2 PANEL               each mistake is found
 //   node pico2.mjs baked EMULATOR UF2 PANEL ZSTRIP WORK SCENE...   the player shows what the command bakes and draws
@@ -17,9 +18,9 @@ import {Chip} from './chip.mjs';
 import {kMutations} from './mutations.mjs';
 
 /** Eight frames, with ZSTRIP_LONG a whole turn. */
-function frames({library, flash, panel}) {
+function frames({library, flash, panel, options}) {
   const count = process.env.ZSTRIP_LONG ? 64 : 8;
-  const board = new Board(library, flash, kFrameBytes, {Chip}), {chip} = board;
+  const board = new Board(library, flash, kFrameBytes, options), {chip} = board;
   board.onFrame = (frame) => { if (frame === count) chip.end('frames'); };
   chip.endIn(1 + count, 'time');
   chip.run();
@@ -31,8 +32,8 @@ function frames({library, flash, panel}) {
 }
 
 /** What is said of the first frame. */
-function saidOfAFrame({library, flash, panel}, options) {
-  const board = new Board(library, flash, kFrameBytes, {Chip, ...options}), {chip} = board;
+function saidOfAFrame({library, flash, panel, options}, mutate) {
+  const board = new Board(library, flash, kFrameBytes, {...options, mutate}), {chip} = board;
   board.onFrame = (frame) => { if (frame === 1) chip.end('frame'); };
   chip.endIn(0.7, 'time');
   chip.run();
@@ -43,21 +44,22 @@ function saidOfAFrame({library, flash, panel}, options) {
 
 function mutations(given) {
   const wrong = [];
-  for (const mutation of kMutations) {
+  const mistakes = kMutations[given.options.processors];
+  for (const mutation of mistakes) {
     const flash = given.flash.slice();
     mutation.flash?.(flash);
-    const said = saidOfAFrame({...given, flash}, {mutate: mutationOf(mutation)});
+    const said = saidOfAFrame({...given, flash}, mutationOf(mutation));
     if (!said.some((line) => line.includes(mutation.says)))
       wrong.push(`not found: ${mutation.says}; said: ${said.join('; ') || 'nothing'}`);
   }
-  console.log(`${kMutations.length} mutations`);
+  console.log(`${mistakes.length} mutations`);
   return verdict(wrong);
 }
 
 function baked(given) {
-  const options = {Chip}, board = basename(given.uf2, '.uf2').endsWith('_hot') ? 'pico2_hot' : 'pico2';
+  const board = basename(given.uf2, '.uf2').endsWith('_hot') ? 'pico2_hot' : 'pico2';
   return verdict(given.scenes.flatMap((scene) =>
-    wrongWhenBaked({...given, options, bakeFor: ['--board', board]}, scene).map((line) => `${scene}: ${line}`)));
+    wrongWhenBaked({...given, bakeFor: ['--board', board]}, scene).map((line) => `${scene}: ${line}`)));
 }
 
 function main([command, folder, uf2, panel, ...words]) {
@@ -77,7 +79,8 @@ function main([command, folder, uf2, panel, ...words]) {
   }
   const [zstrip, work, ...scenes] = words;
   const library = createRequire(import.meta.url)(file);
-  return run({library, uf2, panel, zstrip, scenes, flash: flashOf(uf2), folder: work && join(work, basename(uf2, '.uf2'))});
+  const name = basename(uf2, '.uf2'), options = {Chip, processors: name.includes('_riscv_') ? 'riscv' : 'arm'};
+  return run({library, uf2, panel, zstrip, scenes, options, flash: flashOf(uf2), folder: work && join(work, name)});
 }
 
 process.exitCode = main(process.argv.slice(2));

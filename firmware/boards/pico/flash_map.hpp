@@ -72,6 +72,12 @@ inline constexpr Board kPico2{.name = "pico2",
                               .player = "zstrip_pico2_player",
                               .player_memory = 507 * 1024,
                               .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico2")};
+/// The same board with programs for its RISC-V processors.
+constexpr Board on_riscv(Board board) {
+  board.name = "pico2_riscv", board.family = 0xE48BFF5A;
+  return board;
+}
+inline constexpr Board kPico2Riscv = on_riscv(kPico2);
 inline constexpr Board kPico2Hot = with_hot_code(kPico2, "pico2_hot", "zstrip_pico2_player_hot", 32 * 1024,
                                                  ZSTRIP_PICO_NO_SCENE(" --board pico2_hot"));
 #undef ZSTRIP_PICO_NO_SCENE

@@ -102,7 +102,7 @@ Error PanelBus::write_data(std::span<const std::byte> bytes) {
   register_at(kDmaWrite) = kSpi0 + kSpiData;
   register_at(kDmaCount) = static_cast<std::uint32_t>(bytes.size());
   // Drawn pixels must be in memory before the channel reads them. A channel that chains to itself does not chain.
-  asm volatile("dsb" ::: "memory");
+  finish_writes();
   register_at(kDmaControl) =
       kDmaFaults | kDmaAtSpi0Pace | kDmaIncrementRead | kDmaEnable;  // writing ones clears the faults
   polls_left_ = kPolls + kPollsPerByte * static_cast<std::uint32_t>(bytes.size());

@@ -1,5 +1,5 @@
 # zstrip_add_uf2(TARGET BOARD PROGRAM...): TARGET makes .uf2 files of the programs, in the same folder, for the boot
-# loader of BOARD, pico or pico2. A program of the build machine makes them.
+# loader of BOARD, pico, pico2 or pico2_riscv. A program of the build machine makes them.
 set(ZSTRIP_UF2_SOURCES ${CMAKE_CURRENT_LIST_DIR})
 function(zstrip_add_uf2 target board)
   find_program(ZSTRIP_BUILD_COMPILER NAMES c++ g++ clang++)

@@ -1,5 +1,5 @@
-// uf2 BOARD ELF UF2: converts a program for the flash of a Pico (pico) or Pico 2 (pico2) to the file that is copied to
-// the board's USB drive. Runs on the build machine. Format of ELF: Tool Interface Standard 1.2.
+// uf2 BOARD ELF UF2: converts a program for the flash of a Pico (pico) or Pico 2 (pico2, pico2_riscv) to the file that
+// is copied to the board's USB drive. Runs on the build machine. Format of ELF: Tool Interface Standard 1.2.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -25,10 +25,10 @@ std::uint32_t number(const std::vector<std::uint8_t>& file, std::uint64_t at, un
 }
 
 const Board& board_named(const std::string& name) {
-  for (const Board* board : {&kPico, &kPico2}) {
+  for (const Board* board : {&kPico, &kPico2, &kPico2Riscv}) {
     if (board->name == name) return *board;
   }
-  throw std::runtime_error("no board " + name + ", but pico and pico2");
+  throw std::runtime_error("no board " + name + ", but pico, pico2 and pico2_riscv");
 }
 
 /// Returns the bytes that the program headers load into flash, in whole pages; gaps are zeros.

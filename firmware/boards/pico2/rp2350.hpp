@@ -44,6 +44,11 @@ inline constexpr std::uint32_t kWatchdogTick = 0x40108030, kWatchdogTickCycles =
 inline constexpr std::uint32_t kTimerUpper = 0x400B0008, kTimerLower = 0x400B000C;
 inline constexpr std::uint32_t kTimerTick = 0x40108018, kTimerTickCycles = 0x4010801C;
 
+// 3.1.8, platform timer of the RISC-V processors, whose compare register each of them has for itself; 8.5, its tick
+inline constexpr std::uint32_t kTime = 0xD00001B0, kTimeUpper = 0xD00001B4;
+inline constexpr std::uint32_t kCompare = 0xD00001B8, kCompareUpper = 0xD00001BC;
+inline constexpr std::uint32_t kTimeTick = 0x4010803C, kTimeTickCycles = 0x40108040;
+
 // 9.11, GPIO and pads; 3.1, single-cycle IO
 constexpr std::uint32_t pin_control(unsigned pin) { return 0x40028004U + 8U * pin; }
 constexpr std::uint32_t pad(unsigned pin) { return 0x40038004U + 4U * pin; }
@@ -80,6 +85,12 @@ constexpr std::uint32_t watchdog_counts_per_second() { return 1'000'000; }
 inline void start_ticks() {
   register_at(kWatchdogTickCycles) = 12;
   register_at(kWatchdogTick) = kTickEnable;
+}
+
+/// Starts the tick of the platform timer, each microsecond.
+inline void start_time_tick() {
+  register_at(kTimeTickCycles) = 12;
+  register_at(kTimeTick) = kTickEnable;
 }
 
 /// Starts the timer's own tick.

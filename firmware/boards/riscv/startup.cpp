@@ -1,5 +1,5 @@
-// From reset to main on a RISC-V core in machine mode: stack, .bss, trap vector. Every trap is reported and ends the
-// program.
+// From reset to main on a RISC-V core in machine mode: stack, .data, .bss, trap vector. Every trap is reported and ends
+// the program.
 #include <cstdint>
 
 #include "cortex_m/board.hpp"
@@ -10,7 +10,8 @@ int main();
 
 extern "C" {
 // The linker script sets these; only their addresses have a meaning.
-extern std::uint32_t bss_start[], bss_end[];
+extern std::uint32_t data_start[], data_end[], bss_start[], bss_end[];
+extern const std::uint32_t data_image[];
 
 [[noreturn]] void reset_handler();
 void trap_handler();
@@ -38,6 +39,9 @@ bool reported = false;
 }
 
 void start_program() {
+  const std::uint32_t *image = data_image, *end = data_end;
+  asm("" : "+r"(end));  // the compiler assumes that two symbols differ, but nothing may be to copy
+  for (volatile std::uint32_t* word = data_start; word != end; ++word) *word = *image++;
   for (volatile std::uint32_t* word = bss_start; word != bss_end; ++word) *word = 0;
   zstrip::board::start();
   zstrip::board::halt(main());
