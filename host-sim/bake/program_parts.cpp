@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bake/scene_header.hpp"
+#include "bake/moving_meshes_text.hpp"
 #include "panel/simulated_panel.hpp"
 #include "report/frame_record.hpp"
 #include "text/text.hpp"

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "bake/effects_found.hpp"
+#include "bake/header_text.hpp"
 #include "bake/literals.hpp"
+#include "bake/moving_meshes_text.hpp"
 #include "report/frame_record.hpp"
 #include "text/number.hpp"
 #include "text/text.hpp"
@@ -20,50 +18,38 @@
 namespace zstrip::sim {
 namespace {
 
-/// The largest number of a skin's vertices, or of a mesh's morph offsets, that the compiler checks: with more, Clang
-/// reaches its limit of steps. The import has checked all of them.
-constexpr std::size_t kMaxChecked = 8192;
-
-/// Builds the text, and keeps the names that are in use.
+/// Builds the text of a scene.
 class Header {
  public:
   explicit Header(const BakedScene& baked) : baked_(baked), scene_(baked.scene), skins_(baked.skins) {}
 
   std::string text(const std::string& name_space) {
     comment(name_space);
-    line("#pragma once\n");
-    if (bends()) line("#include <algorithm>\n#include <cstdint>\n");
+    out_.line("#pragma once\n");
+    if (bends()) out_.line("#include <algorithm>\n#include <cstdint>\n");
     for (const char* header :
          {"animation.hpp", "camera.hpp", "effects.hpp", is_fixed() ? "fixed_renderer.hpp" : nullptr, "plan.hpp",
           bends() ? "morph.hpp" : nullptr, "scene.hpp", "scene/turn.hpp", bends() ? "skin.hpp" : nullptr, "status.hpp",
           "view.hpp"}) {
-      if (header != nullptr) line(fmt::format("#include \"zstrip/{}\"", header));
+      if (header != nullptr) out_.line(fmt::format("#include \"zstrip/{}\"", header));
     }
-    if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
-    if (scene_.overlay != nullptr) line("#include \"zstrip/overlay.hpp\"");
-    if (baked_.effects.methods != 0) line("#include \"zstrip/visibility.hpp\"");
-    line(fmt::format("\nnamespace {} {{\n", name_space));
+    if (!baked_.tree.nodes.empty()) out_.line("#include \"zstrip/scene/bsp_tree.hpp\"");
+    if (scene_.overlay != nullptr) out_.line("#include \"zstrip/overlay.hpp\"");
+    if (baked_.effects.methods != 0) out_.line("#include \"zstrip/visibility.hpp\"");
+    out_.line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();
     tree();
     animation();
-    weight_animation();
-    joint_animation();
+    if (bends()) add_motion(skins_, out_);
     camera();
     plan();
-    line(fmt::format("\n}}  // namespace {}", name_space));
-    return std::move(text_);
+    out_.line(fmt::format("\n}}  // namespace {}", name_space));
+    return out_.take();
   }
 
  private:
-  void line(std::string_view text) {
-    text_ += text;
-    text_ += '\n';
-  }
-
   bool bends() const { return skins_.move(); }
-  /// Returns the function that a program calls before each frame.
-  const char* pose_function() const { return pose_function_of(skins_); }
   bool is_unclipped() const { return baked_.effects.has(effect::unclipped); }
   /// True if a FixedRenderer draws the scene.
   bool is_fixed() const {
@@ -72,12 +58,13 @@ class Header {
 
   void comment(const std::string& name_space) {
     const SceneCounts counts = count(scene_);
-    line(fmt::format("// A scene for zstrip, baked from {}: {} in {}, {}.", printable(baked_.source),
-                     counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
-                     counted(counts.instances, "instance")));
-    line(fmt::format("// Written by `zstrip bake`: do not edit, bake again. The camera is placed for {}x{} pixels, {}.",
-                     baked_.view.width, baked_.view.height, name(baked_.view.format)));
-    line("//");
+    out_.line(fmt::format("// A scene for zstrip, baked from {}: {} in {}, {}.", printable(baked_.source),
+                          counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
+                          counted(counts.instances, "instance")));
+    out_.line(
+        fmt::format("// Written by `zstrip bake`: do not edit, bake again. The camera is placed for {}x{} pixels, {}.",
+                    baked_.view.width, baked_.view.height, name(baked_.view.format)));
+    out_.line("//");
     constexpr const char* kFixed[] = {
         "#include \"zstrip/zstrip.hpp\"", "alignas(4) std::array<std::byte, @FixedRenderer::kStripBytes> pixels;",
         "@FixedRenderer renderer;  // its arena is in it", "", "renderer.begin_frame(@kCamera);"};
@@ -96,54 +83,45 @@ class Header {
       for (std::string text : part) {
         for (std::size_t at = 0; (at = text.find('@')) != std::string::npos;) text.replace(at, 1, name_space + "::");
         if (bends() && text.starts_with("renderer.begin_frame")) {
-          line(fmt::format("//     {}::{}(milliseconds);", name_space, pose_function()));
+          out_.line(fmt::format("//     {}::{}(milliseconds);", name_space, pose_function_of(skins_)));
         }
-        line(text.empty() ? "//" : "//     " + text);
+        out_.line(text.empty() ? "//" : "//     " + text);
       }
     }
-    line("//");
+    out_.line("//");
     if (baked_.effects.has(method::in_order)) {
-      line(
+      out_.line(
           "// begin_frame and draw_strip return a Status: check it. The triangles are sorted by painter-newell, for "
           "this");
-      line("// camera only: bake again for another camera, or after a change of a transform.");
+      out_.line("// camera only: bake again for another camera, or after a change of a transform.");
       return;
     }
     if (bends()) {
-      line(fmt::format("// {} writes the vertices that {} move, in RAM. Before its first call they are zeros,",
-                       pose_function(), skins_.meshes.empty() ? "morph targets" : "joints"));
-      line("// so that nothing is drawn. It also returns a Status.");
+      out_.line(fmt::format("// {} writes the vertices that {} move, in RAM. Before its first call they are zeros,",
+                            pose_function_of(skins_), skins_.meshes.empty() ? "morph targets" : "joints"));
+      out_.line("// so that nothing is drawn. It also returns a Status.");
     }
     if (is_fixed()) {
-      line("// begin_frame and draw_strip return a Status: check it. To move the scene, change the transforms of");
-      line(fmt::format(
+      out_.line("// begin_frame and draw_strip return a Status: check it. To move the scene, change the transforms of");
+      out_.line(fmt::format(
           "// `moving.instances()`, with {}::FixedRenderer::Moving moving, and call begin_frame(kCamera, moving).",
           name_space));
     } else {
-      line(
+      out_.line(
           "// begin_frame and draw_strip return a Status: check it. To move the scene, copy kInstances into RAM, "
           "change");
-      line("// their transforms, and begin the frame with a copy of kScene whose `instances` are your copy.");
+      out_.line("// their transforms, and begin the frame with a copy of kScene whose `instances` are your copy.");
     }
-    if (is_unclipped()) line("// Only the baked motion is known to need no clipping: see kEffects.");
+    if (is_unclipped()) out_.line("// Only the baked motion is known to need no clipping: see kEffects.");
     if (baked_.edges_left_out != 0) {
-      line("// Edges that the baked motion never shows are not here: --clipping on keeps them.");
+      out_.line("// Edges that the baked motion never shows are not here: --clipping on keeps them.");
     }
     if (!baked_.tree.nodes.empty()) {
-      line(fmt::format("// Before begin_frame: renderer.set_visibility({{.tree = &{}::kTree}});", name_space));
+      out_.line(fmt::format("// Before begin_frame: renderer.set_visibility({{.tree = &{}::kTree}});", name_space));
     }
     if (baked_.animation.tracks.empty()) return;
-    line("// The scene has an animation: call zstrip::pose(kAnimation, milliseconds, instances) before each frame.");
-  }
-
-  /// Writes an array of these records unless it is empty; returns the expression that refers to it.
-  template <class Record>
-  std::string array(const std::string& type, const std::string& name, std::span<const Record> records) {
-    if (records.empty()) return "{}";
-    const auto [known, is_new] = arrays_.try_emplace({records.data(), records.size()}, name);
-    if (!is_new) return known->second;  // meshes of other sizes share their vertices
-    text_ += array_definition(type, name, records);
-    return name;
+    out_.line(
+        "// The scene has an animation: call zstrip::pose(kAnimation, milliseconds, instances) before each frame.");
   }
 
   void data() {
@@ -151,19 +129,19 @@ class Header {
       const Mesh* const unmoved = skins_.unmoved(i);
       const Mesh& mesh = unmoved == nullptr ? scene_.meshes[i] : *unmoved;
       const auto name = [i](const char* what) { return fmt::format("k{}{}", what, i); };
-      meshes_ += "    {.positions = " + array("zstrip::Position", name("Positions"), mesh.positions);
-      meshes_ += ",\n     .normals = " + array("zstrip::Normal", name("Normals"), mesh.normals);
-      meshes_ += ",\n     .colours = " + array("zstrip::Colour", name("Colours"), mesh.colours);
-      meshes_ += ",\n     .texcoords = " + array("zstrip::TexCoord", name("Texcoords"), mesh.texcoords);
-      meshes_ += ",\n     .triangles = " + array("zstrip::Triangle", name("Triangles"), mesh.triangles);
-      meshes_ += ",\n     .meshlets = " + array("zstrip::Meshlet", name("Meshlets"), mesh.meshlets);
+      meshes_ += "    {.positions = " + out_.array("zstrip::Position", name("Positions"), mesh.positions);
+      meshes_ += ",\n     .normals = " + out_.array("zstrip::Normal", name("Normals"), mesh.normals);
+      meshes_ += ",\n     .colours = " + out_.array("zstrip::Colour", name("Colours"), mesh.colours);
+      meshes_ += ",\n     .texcoords = " + out_.array("zstrip::TexCoord", name("Texcoords"), mesh.texcoords);
+      meshes_ += ",\n     .triangles = " + out_.array("zstrip::Triangle", name("Triangles"), mesh.triangles);
+      meshes_ += ",\n     .meshlets = " + out_.array("zstrip::Meshlet", name("Meshlets"), mesh.meshlets);
       meshes_ += fmt::format(",\n     .centre = {},\n     .half_extent = {},\n     .texcoord_bits = {}{}{}{}}},\n",
                              literal(mesh.centre), literal(mesh.half_extent), mesh.texcoord_bits,
                              literal(mesh.billboard), outline_literal(mesh.outline), literal(mesh.shadow));
     }
     for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
       const Texture& texture = scene_.textures[i];
-      const std::string texels = array("std::uint16_t", fmt::format("kTexels{}", i), texture.texels);
+      const std::string texels = out_.array("std::uint16_t", fmt::format("kTexels{}", i), texture.texels);
       const bool plain = texture.format == TextureFormat::rgb565;
       const std::string format =
           plain ? "" : fmt::format(", .format = zstrip::TextureFormat{{{}}}", static_cast<int>(texture.format));
@@ -178,214 +156,46 @@ class Header {
     std::string meshes = "{}", textures = "{}";
     if (bends()) {
       meshes = "kMeshes";
-      skins();
+      add_moving_meshes(scene_.meshes.size(), skins_, meshes_, out_);
     } else if (!meshes_.empty()) {
       meshes = "kMeshes";
-      line(fmt::format("\ninline constexpr zstrip::Mesh kMeshes[{}] = {{\n{}}};", scene_.meshes.size(), meshes_));
+      out_.line(fmt::format("\ninline constexpr zstrip::Mesh kMeshes[{}] = {{\n{}}};", scene_.meshes.size(), meshes_));
     }
     if (!textures_.empty()) {
       textures = "kTextures";
-      line(
+      out_.line(
           fmt::format("inline constexpr zstrip::Texture kTextures[{}] = {{\n{}}};", scene_.textures.size(), textures_));
     }
-    const std::string materials = array("zstrip::Material", "kMaterials", scene_.materials);
-    const std::string instances = array("zstrip::Instance", "kInstances", scene_.instances);
-    const std::string lights = array("zstrip::DirectionalLight", "kLights", scene_.lights);
+    const std::string materials = out_.array("zstrip::Material", "kMaterials", scene_.materials);
+    const std::string instances = out_.array("zstrip::Instance", "kInstances", scene_.instances);
+    const std::string lights = out_.array("zstrip::DirectionalLight", "kLights", scene_.lights);
     std::string more;
     const auto add = [&more](const char* member, const std::string& value) {
       more += fmt::format(",\n{:38}.{} = {}", "", member, value);
     };
     if (scene_.fog != nullptr) {
-      array("zstrip::Fog", "kFog", std::span(scene_.fog, 1));
+      out_.array("zstrip::Fog", "kFog", std::span(scene_.fog, 1));
       add("fog", "kFog");
     }
-    if (!scene_.finishes.empty()) add("finishes", array("zstrip::Finish", "kFinishes", scene_.finishes));
+    if (!scene_.finishes.empty()) add("finishes", out_.array("zstrip::Finish", "kFinishes", scene_.finishes));
     if (!scene_.punctual_lights.empty()) {
-      add("punctual_lights", array("zstrip::PunctualLight", "kPunctualLights", scene_.punctual_lights));
+      add("punctual_lights", out_.array("zstrip::PunctualLight", "kPunctualLights", scene_.punctual_lights));
     }
-    if (!scene_.quadrics.empty()) add("quadrics", array("zstrip::Quadric", "kQuadrics", scene_.quadrics));
+    if (!scene_.quadrics.empty()) add("quadrics", out_.array("zstrip::Quadric", "kQuadrics", scene_.quadrics));
     if (!scene_.lines.empty()) add("lines", lines());
-    if (!scene_.outlines.empty()) add("outlines", array("zstrip::Outline", "kOutlines", scene_.outlines));
+    if (!scene_.outlines.empty()) add("outlines", out_.array("zstrip::Outline", "kOutlines", scene_.outlines));
     if (scene_.shadow != nullptr) {
-      array("zstrip::Shadow", "kShadow", std::span(scene_.shadow, 1));
+      out_.array("zstrip::Shadow", "kShadow", std::span(scene_.shadow, 1));
       add("shadow", "kShadow");
     }
-    if (!scene_.csg.empty()) add("csg", array("zstrip::CsgOperand", "kCsg", scene_.csg));
+    if (!scene_.csg.empty()) add("csg", out_.array("zstrip::CsgOperand", "kCsg", scene_.csg));
     if (!scene_.edges.empty()) add("edges", edges());
     if (scene_.overlay != nullptr) add("overlay", overlay(*scene_.overlay));
-    line(fmt::format(
+    out_.line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
         meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background), more,
         fmt::arg("pad", "                                      ")));
-  }
-
-  /// Returns the meshes that move: those with skins, then the others with morph targets.
-  std::vector<std::size_t> moved_meshes() const {
-    std::vector<std::size_t> moved;
-    for (const ModelSkin& skin : skins_.meshes) moved.push_back(skin.mesh);
-    for (const ModelMorph& morph : skins_.morphs) {
-      if (skins_.find(morph.mesh) == nullptr) moved.push_back(morph.mesh);
-    }
-    return moved;
-  }
-
-  /// Writes the mesh table, and what moves its meshes.
-  void skins() {
-    const std::vector<std::size_t> moved = moved_meshes();
-    line(
-        fmt::format("\n/// The meshes before joints and morph targets move some of them.\n"
-                    "inline constexpr zstrip::Mesh kBindMeshes[{}] = {{\n{}}};",
-                    scene_.meshes.size(), meshes_));
-    std::string arrays, spans, meshes;
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      const Mesh& unmoved = *skins_.unmoved(moved[i]);
-      const auto in_ram = [&](const char* type, const char* name, std::size_t count) {
-        if (count == 0) return std::string("{}");
-        arrays += fmt::format("inline zstrip::{} {}{}[{}];\n", type, name, i, count);
-        return fmt::format("{}{}", name, i);
-      };
-      spans += "    {.positions = " + in_ram("Position", "moved_positions", unmoved.positions.size());
-      spans += ", .normals = " + in_ram("Normal", "moved_normals", unmoved.normals.size());
-      spans += ", .meshlets = " + in_ram("Meshlet", "moved_meshlets", unmoved.meshlets.size()) + "},\n";
-    }
-    text_ += fmt::format(
-        "/// The moved vertices, in RAM: zeros, not the rest pose, before the first {2}.\n{1}"
-        "inline constexpr zstrip::MovedVertices kMoved[{0}] = {{\n{3}}};\n",
-        moved.size(), arrays, pose_function(), spans);
-    if (!skins_.morphs.empty()) morphs(moved);
-    if (!skins_.meshes.empty()) skins_of_meshes();
-    for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
-      const auto at = std::ranges::find(moved, i);
-      meshes += at == moved.end()
-                    ? fmt::format("    kBindMeshes[{}],\n", i)
-                    : fmt::format("    zstrip::moved_mesh(kBindMeshes[{}], kMoved[{}]),\n", i, at - moved.begin());
-    }
-    text_ += fmt::format("/// The meshes that are drawn.\ninline constexpr zstrip::Mesh kMeshes[{}] = {{\n{}}};\n",
-                         scene_.meshes.size(), meshes);
-  }
-
-  /// Writes the skins, of bind meshes or of what morph targets made of them.
-  void skins_of_meshes() {
-    array("zstrip::Joint", "kJoints", skins_.joints);
-    array("zstrip::JointPose", "kJointRest", skins_.rest);
-    std::string skins, checks, morphed;
-    std::size_t morphed_count = 0;
-    for (std::size_t i = 0; i < skins_.meshes.size(); ++i) {
-      const ModelSkin& skin = skins_.meshes[i];
-      const std::string vertices = array("zstrip::VertexJoints", fmt::format("kVertexJoints{}", i), skin.vertices);
-      std::string mesh = fmt::format("kBindMeshes[{}]", skin.mesh);
-      if (skins_.find_morph(skin.mesh) != nullptr) {
-        morphed += fmt::format("    zstrip::moved_mesh({}, kMoved[{}]),\n", mesh, i);
-        mesh = fmt::format("kMorphedMeshes[{}]", morphed_count++);
-      }
-      skins +=
-          fmt::format("    {{.mesh = &{}, .vertices = {}, .joints = kJoints, .rest = kJointRest}},\n", mesh, vertices);
-      if (skin.vertices.size() <= kMaxChecked) {
-        checks += fmt::format("static_assert(zstrip::validate(kSkins[{}]));\n", i);
-      }
-    }
-    if (morphed_count > 0) {
-      text_ += fmt::format(
-          "/// What morph targets have moved, and skins move further.\n"
-          "inline constexpr zstrip::Mesh kMorphedMeshes[{}] = {{\n{}}};\n",
-          morphed_count, morphed);
-    }
-    text_ += fmt::format("inline constexpr zstrip::Skin kSkins[{0}] = {{\n{1}}};\n{2}\n", skins_.meshes.size(), skins,
-                         checks);
-  }
-
-  /// Writes the morph targets. `moved`: the mesh of each element of kMoved.
-  void morphs(const std::vector<std::size_t>& moved) {
-    std::string morphs, indices, checks;
-    for (std::size_t i = 0; i < skins_.morphs.size(); ++i) {
-      const ModelMorph& morph = skins_.morphs[i];
-      std::string targets;
-      std::size_t offsets = 0;
-      for (std::size_t k = 0; k < morph.targets.size(); ++k) {
-        const MorphTarget& target = morph.targets[k];
-        const auto name = [&](const char* what) { return fmt::format("k{}{}Of{}", what, k, i); };
-        targets += fmt::format("    {{.weight = {}, .runs = {}, .positions = {}, .normals = {}}},\n", target.weight,
-                               array("zstrip::MorphRun", name("MorphRuns"), target.runs),
-                               array("zstrip::MorphOffset", name("MorphOffsets"), target.positions),
-                               array("zstrip::NormalOffset", name("NormalOffsets"), target.normals));
-        offsets += target.positions.size();
-      }
-      text_ += fmt::format("inline constexpr zstrip::MorphTarget kMorphTargets{}[{}] = {{\n{}}};\n", i,
-                           morph.targets.size(), targets);
-      morphs += fmt::format("    {{.mesh = &kBindMeshes[{}], .targets = kMorphTargets{}}},\n", morph.mesh, i);
-      indices += fmt::format("{}{}", i == 0 ? "" : ", ", std::ranges::find(moved, morph.mesh) - moved.begin());
-      if (offsets <= kMaxChecked) checks += fmt::format("static_assert(zstrip::validate(kMorphs[{}]));\n", i);
-    }
-    text_ += fmt::format(
-        "/// The meshes that morph targets move, and their elements of kMoved.\n"
-        "inline constexpr zstrip::Morph kMorphs[{0}] = {{\n{1}}};\n"
-        "inline constexpr std::uint16_t kMovedByMorph[{0}] = {{{2}}};\n{3}\n",
-        skins_.morphs.size(), morphs, indices, checks);
-  }
-
-  void weight_animation() {
-    if (skins_.morphs.empty()) return;
-    line("\n/// The motion of the weights: Track::instance is the index of a weight. It lasts as long as kAnimation.");
-    const WeightAnimation& animation = skins_.weight_animation;
-    const std::string tracks = array("zstrip::Track", "kWeightTracks", animation.tracks);
-    const std::string keys = array("zstrip::WeightKey", "kWeightKeys", animation.keys);
-    line(fmt::format(
-        "inline constexpr zstrip::WeightAnimation kWeightAnimation{{.tracks = {}, .keys = {}, .duration = {}}};",
-        tracks, keys, animation.duration));
-    text_ += fmt::format(
-        "/// A weight of 0 is the file's weight at rest. Weights without a track are the program's.\n"
-        "inline zstrip::MorphWeight morph_weights[{0}];\n"
-        "/// Moves the vertices by morph_weights.\n"
-        "inline zstrip::Status move_morphs() {{\n"
-        "  for (std::uint32_t i = 0; i < {1}; ++i) {{\n"
-        "    const zstrip::Status moved = zstrip::morph_mesh(kMorphs[i], morph_weights, kMoved[kMovedByMorph[i]]);\n"
-        "    if (!moved) return moved;\n"
-        "  }}\n"
-        "  return {{}};\n"
-        "}}\n"
-        "/// Moves the vertices to their place at any time, in milliseconds after the animation's start. {2}\n"
-        "inline zstrip::Status pose_morphs(std::uint32_t milliseconds) {{\n"
-        "  zstrip::pose(kWeightAnimation, milliseconds, morph_weights);\n"
-        "  return move_morphs();\n"
-        "}}\n",
-        skins_.weights, skins_.morphs.size(),
-        skins_.meshes.empty() ? "Call it before\n/// begin_frame." : "pose_skins\n/// calls it.");
-  }
-
-  void joint_animation() {
-    if (skins_.meshes.empty()) return;
-    line("\n/// The motion of the joints: Track::instance is the index of a joint. It lasts as long as kAnimation.");
-    const std::string tracks = array("zstrip::Track", "kJointTracks", skins_.animation.tracks);
-    const std::string keyframes = array("zstrip::Keyframe", "kJointKeyframes", skins_.animation.keyframes);
-    line(fmt::format(
-        "inline constexpr zstrip::Animation kJointAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};", tracks,
-        keyframes, skins_.animation.duration));
-    // The defaults of JointPose are not all zeros, so that they would take the same amount of flash again.
-    std::string zeros;
-    for (std::size_t i = 0; i < skins_.joints.size(); ++i) {
-      constexpr std::size_t kInALine = 8;
-      zeros += i == 0 ? "{{}, {}, {}}" : i % kInALine == 0 ? ",\n    {{}, {}, {}}" : ", {{}, {}, {}}";
-    }
-    text_ += fmt::format(
-        "inline zstrip::JointPose joint_poses[{0}] = {{\n    {1}}};\n"
-        "inline zstrip::Transform joint_work[{0}];\n"
-        "/// Moves the skins to their place at any time, in milliseconds after the animation's start. Call it before\n"
-        "/// begin_frame.\n"
-        "inline zstrip::Status pose_skins(std::uint32_t milliseconds) {{\n"
-        "{3}"
-        "  std::ranges::copy(kJointRest, joint_poses);\n"
-        "  zstrip::pose(kJointAnimation, milliseconds, joint_poses);\n"
-        "  for (std::uint32_t i = 0; i < {2}; ++i) {{\n"
-        "    const zstrip::Status moved = zstrip::skin_mesh(kSkins[i], joint_poses, joint_work, kMoved[i]);\n"
-        "    if (!moved) return moved;\n"
-        "  }}\n"
-        "  return {{}};\n"
-        "}}\n",
-        skins_.joints.size(), zeros, skins_.meshes.size(),
-        skins_.morphs.empty()
-            ? ""
-            : "  if (const zstrip::Status morphed = pose_morphs(milliseconds); !morphed) return morphed;\n");
   }
 
   std::string lines() {
@@ -394,10 +204,10 @@ class Header {
       const LineSet& set = scene_.lines[i];
       sets += fmt::format(
           "    {{.segments = {},\n     .mesh = {},\n     .material = {},\n     .transform = {},\n     .width = {}}},\n",
-          array("zstrip::Segment", fmt::format("kSegments{}", i), set.segments), set.mesh, set.material,
+          out_.array("zstrip::Segment", fmt::format("kSegments{}", i), set.segments), set.mesh, set.material,
           literal(set.transform), set.width);
     }
-    line(fmt::format("inline constexpr zstrip::LineSet kLines[{}] = {{\n{}}};", scene_.lines.size(), sets));
+    out_.line(fmt::format("inline constexpr zstrip::LineSet kLines[{}] = {{\n{}}};", scene_.lines.size(), sets));
     return "kLines";
   }
 
@@ -406,9 +216,9 @@ class Header {
     for (std::size_t i = 0; i < scene_.edges.size(); ++i) {
       const EdgeSet& set = scene_.edges[i];
       sets += fmt::format("    {{.edges = {}, .mesh = {}}},\n",
-                          array("zstrip::Edge", fmt::format("kEdges{}", i), set.edges), set.mesh);
+                          out_.array("zstrip::Edge", fmt::format("kEdges{}", i), set.edges), set.mesh);
     }
-    line(fmt::format("inline constexpr zstrip::EdgeSet kEdgeSets[{}] = {{\n{}}};", scene_.edges.size(), sets));
+    out_.line(fmt::format("inline constexpr zstrip::EdgeSet kEdgeSets[{}] = {{\n{}}};", scene_.edges.size(), sets));
     return "kEdgeSets";
   }
 
@@ -419,8 +229,8 @@ class Header {
       images += fmt::format(
           "    {{.width = {},\n     .height = {},\n     .colours = {},\n     .coverage = {},\n     .coverage_bits = "
           "{}}},\n",
-          image.width, image.height, array("std::uint16_t", fmt::format("kImageColours{}", i), image.colours),
-          array("std::uint8_t", fmt::format("kImageCoverage{}", i), image.coverage), image.coverage_bits);
+          image.width, image.height, out_.array("std::uint16_t", fmt::format("kImageColours{}", i), image.colours),
+          out_.array("std::uint8_t", fmt::format("kImageCoverage{}", i), image.coverage), image.coverage_bits);
     }
     for (std::size_t i = 0; i < over.fonts.size(); ++i) {
       const Font& font = over.fonts[i];
@@ -432,13 +242,13 @@ class Header {
       fonts += fmt::format(
           "    {{.glyphs = {},\n     .coverage = {},\n     .coverage_bits = {},\n     .line_height = {},\n"
           "     .baseline = {},\n     .replacement = {}}},\n",
-          array("zstrip::Glyph", fmt::format("kGlyphs{}", i), font.glyphs),
-          array("std::uint8_t", fmt::format("kFontCoverage{}", i), font.coverage), font.coverage_bits, font.line_height,
-          font.baseline, font.replacement);
+          out_.array("zstrip::Glyph", fmt::format("kGlyphs{}", i), font.glyphs),
+          out_.array("std::uint8_t", fmt::format("kFontCoverage{}", i), font.coverage), font.coverage_bits,
+          font.line_height, font.baseline, font.replacement);
     }
     for (std::size_t i = 0; i < over.labels.size(); ++i) {
       const Label& label = over.labels[i];
-      line(fmt::format("inline constexpr char kText{}[] = {};", i, quoted(label.text)));
+      out_.line(fmt::format("inline constexpr char kText{}[] = {};", i, quoted(label.text)));
       labels += fmt::format(
           "    {{.text = kText{},\n     .x = {},\n     .y = {},\n     .font = {},\n     .alignment = "
           "zstrip::Alignment{{{}}},\n     .colour = {},\n     .background = {}}},\n",
@@ -447,14 +257,14 @@ class Header {
     }
     const auto table = [this](const char* type, const char* name, std::size_t count, const std::string& records) {
       if (count == 0) return std::string("{}");
-      line(fmt::format("inline constexpr zstrip::{} {}[{}] = {{\n{}}};", type, name, count, records));
+      out_.line(fmt::format("inline constexpr zstrip::{} {}[{}] = {{\n{}}};", type, name, count, records));
       return std::string(name);
     };
     const std::string all_images = table("OverlayImage", "kImages", over.images.size(), images);
     const std::string all_fonts = table("Font", "kFonts", over.fonts.size(), fonts);
-    const std::string sprites = array("zstrip::Sprite", "kSprites", over.sprites);
+    const std::string sprites = out_.array("zstrip::Sprite", "kSprites", over.sprites);
     const std::string all_labels = table("Label", "kLabels", over.labels.size(), labels);
-    line(
+    out_.line(
         fmt::format("inline constexpr zstrip::Overlay kOverlay{{\n    .images = {}, .fonts = {}, .sprites = {}, "
                     ".labels = {}}};",
                     all_images, all_fonts, sprites, all_labels));
@@ -463,20 +273,21 @@ class Header {
 
   void tree() {
     if (baked_.tree.nodes.empty()) return;
-    line("\n/// A tree with the order of the triangles for every position of the camera; begin_frame needs it.");
-    array("zstrip::BspNode", "kNodes", baked_.tree.nodes);
-    line("inline constexpr zstrip::BspTree kTree{.nodes = kNodes};");
+    out_.line("\n/// A tree with the order of the triangles for every position of the camera; begin_frame needs it.");
+    out_.array("zstrip::BspNode", "kNodes", baked_.tree.nodes);
+    out_.line("inline constexpr zstrip::BspTree kTree{.nodes = kNodes};");
   }
 
   void animation() {
-    line("\n/// The motion of the instances, if it has tracks. Times in milliseconds.");
-    const std::string tracks = array("zstrip::Track", "kTracks", baked_.animation.tracks);
-    const std::string keyframes = array("zstrip::Keyframe", "kKeyframes", baked_.animation.keyframes);
-    line(fmt::format("inline constexpr zstrip::Animation kAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};",
-                     tracks, keyframes, baked_.animation.duration));
-    line("/// The motion of a scene without tracks, if several frames are shown.");
-    line(fmt::format("inline constexpr zstrip::Turn kTurn{{.what = zstrip::Turning::{}, .still_instances = {}}};",
-                     turning_name(baked_.turn.what), baked_.turn.still_instances));
+    out_.line("\n/// The motion of the instances, if it has tracks. Times in milliseconds.");
+    const std::string tracks = out_.array("zstrip::Track", "kTracks", baked_.animation.tracks);
+    const std::string keyframes = out_.array("zstrip::Keyframe", "kKeyframes", baked_.animation.keyframes);
+    out_.line(
+        fmt::format("inline constexpr zstrip::Animation kAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};",
+                    tracks, keyframes, baked_.animation.duration));
+    out_.line("/// The motion of a scene without tracks, if several frames are shown.");
+    out_.line(fmt::format("inline constexpr zstrip::Turn kTurn{{.what = zstrip::Turning::{}, .still_instances = {}}};",
+                          turning_name(baked_.turn.what), baked_.turn.still_instances));
   }
 
   const char* projection_name() const {
@@ -485,7 +296,7 @@ class Header {
 
   void camera() {
     const Camera& c = baked_.camera;
-    line(fmt::format(
+    out_.line(fmt::format(
         "\ninline constexpr zstrip::Camera kCamera{{.right = {},  // 2.30\n{pad}.up = {},\n{pad}.back = {},\n"
         "{pad}.eye = {},  // 16.16, like the members below\n{pad}.focal = {},\n{pad}.near_plane = {},\n{pad}.far_plane "
         "= {},\n"
@@ -503,14 +314,14 @@ class Header {
       words += fmt::format(", with {} samples a pixel", view.samples);
       settings = fmt::format(", {}, {}", view.dither, view.samples);
     }
-    line(
+    out_.line(
         fmt::format("\n/// The picture of camera and plan{}.\n"
                     "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}{}}};",
                     words, view.width, view.height, name(view.format), settings));
-    line(fmt::format("/// All effects that the scene needs{}: instantiate one pipeline, with these.",
-                     baked_.effects.has(effect::bins) ? ", and bins for the plan" : ""));
+    out_.line(fmt::format("/// All effects that the scene needs{}: instantiate one pipeline, with these.",
+                          baked_.effects.has(effect::bins) ? ", and bins for the plan" : ""));
     if (is_unclipped()) {
-      line(fmt::format(
+      out_.line(fmt::format(
           "/// No code for clipping is linked. The boxes of all instances stay between the near and the far plane and "
           "within a\n"
           "/// thousand pixels of the picture's centre, {}.\n"
@@ -519,15 +330,15 @@ class Header {
           "/// Error::clipping; then bake with --clipping on.",
           baked_.unclipped_where));
     }
-    line(fmt::format("inline constexpr zstrip::Effects kEffects = {};", literal(baked_.effects)));
+    out_.line(fmt::format("inline constexpr zstrip::Effects kEffects = {};", literal(baked_.effects)));
     constexpr Effects kBeyondScene =
         effect::bins | effect::depth_formats | effect::depth_ranges | effect::perspective_runs | effect::unclipped;
     const Effects beyond_scene{baked_.effects.bits & kBeyondScene.bits, baked_.effects.methods};
     const std::string of_view = effects_of(view) == Effects{} ? "" : " | zstrip::effects_of(kView)";
-    line(fmt::format("static_assert(kEffects == (zstrip::effects_of(kScene, kCamera){}));",
-                     of_view + (beyond_scene == Effects{} ? "" : " | " + literal(beyond_scene))));
+    out_.line(fmt::format("static_assert(kEffects == (zstrip::effects_of(kScene, kCamera){}));",
+                          of_view + (beyond_scene == Effects{} ? "" : " | " + literal(beyond_scene))));
     if (bends()) {
-      line(
+      out_.line(
           "/// The scene as it was modelled, which the compiler can count and validate.\n"
           "inline constexpr zstrip::Scene kBindScene = [] {\n"
           "  zstrip::Scene scene = kScene;\n"
@@ -535,9 +346,9 @@ class Header {
           "  return scene;\n"
           "}();");
     }
-    line(fmt::format("inline constexpr zstrip::SceneCounts kCounts = zstrip::count({});",
-                     bends() ? "kBindScene" : "kScene"));
-    line(fmt::format(
+    out_.line(fmt::format("inline constexpr zstrip::SceneCounts kCounts = zstrip::count({});",
+                          bends() ? "kBindScene" : "kScene"));
+    out_.line(fmt::format(
         "/// The limits of --ram and other options, and the strips that fit them: {} of arena and {} for\n"
         "/// each of {}.\n"
         "inline constexpr zstrip::Budget kBudget{{.bytes = {},\n{pad}.strip_rows = {},\n{pad}.strip_columns = {},\n"
@@ -546,12 +357,12 @@ class Header {
         counted(budget.strip_buffers, "strip buffer"), budget.bytes, budget.strip_rows, budget.strip_columns,
         budget.split_columns, budget.strip_buffers, budget.modes == Modes::binned ? "binned" : "streamed",
         fmt::arg("pad", "                                        ")));
-    line(
+    out_.line(
         "inline constexpr zstrip::PlanResult kPlanned = zstrip::plan(kCounts, kView, kEffects, kBudget);\n"
         "static_assert(kPlanned.status, \"the picture does not fit the bytes of kBudget\");\n"
         "inline constexpr zstrip::Plan kPlan = kPlanned.plan;");
     if (!is_fixed()) return;
-    line(
+    out_.line(
         fmt::format("/// Draws kScene in kView: scene, picture and plan are constants that the compiler has checked.\n"
                     "using FixedRenderer = zstrip::FixedRenderer<kScene, kView, kBudget, {},\n"
                     "                                            zstrip::Projection::{}, kCounts>;",
@@ -561,8 +372,8 @@ class Header {
   const BakedScene& baked_;
   const Scene& scene_;
   const BakedSkins& skins_;
-  std::string text_, meshes_, textures_;
-  std::map<std::pair<const void*, std::size_t>, std::string> arrays_;  ///< names of the arrays that were written
+  std::string meshes_, textures_;
+  HeaderText out_;
 };
 
 }  // namespace
@@ -584,8 +395,6 @@ bool is_namespace(const std::string& name) {
   return std::all_of(name.begin(), name.end(), allowed) &&
          kTaken.find(fmt::format(" {} ", name)) == std::string_view::npos;
 }
-
-const char* pose_function_of(const BakedSkins& skins) { return skins.meshes.empty() ? "pose_morphs" : "pose_skins"; }
 
 std::string to_scene_header(const BakedScene& baked, const std::string& name_space) {
   return Header(baked).text(name_space);

@@ -14,9 +14,6 @@ inline constexpr const char* kDefaultNamespace = "baked";
 bool is_namespace(const std::string& name);
 
 /// Equal scenes give equal text.
-/// Returns the name of the function in a header that moves skins and morph targets before a frame.
-const char* pose_function_of(const BakedSkins& skins);
-
 std::string to_scene_header(const BakedScene& baked, const std::string& name_space);
 
 }  // namespace zstrip::sim
