@@ -211,6 +211,14 @@ EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
   });
 }
 
+/// Names what a pixel of the picture shows, in the words of `zstrip view`: {"words"}.
+EMSCRIPTEN_KEEPALIVE const char* zstrip_pick(int x, int y) {
+  if (!viewer) return answered(Failure{ExitStatus::usage, "no scene is open"});
+  const Result<std::string> words = viewer->pick({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
+  if (!words) return answered(words.failure());
+  return answered(Json{{"words", *words}});
+}
+
 /// Returns the frame that was drawn last, four bytes a pixel.
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* zstrip_pixels() { return rgba.data(); }
 

@@ -36,6 +36,18 @@ export class Command {
     }
   }
 
+  /** What a pixel shows, in words. */
+  picks(scene, x, y, options = []) {
+    const folder = mkdtempSync(join(tmpdir(), 'zstrip-'));
+    try {
+      const words = ['render', scene, '-o', join(folder, 'a.png'), '--pick', `${x},${y}`, ...options];
+      const summary = execFileSync(this.#zstrip, words, {cwd: this.#scenes, stdio: 'pipe', encoding: 'utf8'});
+      return /^ *picked +(.*)$/m.exec(summary)[1];
+    } finally {
+      rmSync(folder, {recursive: true});
+    }
+  }
+
   /** {width, height, rgb}: the picture that `zstrip render` draws. */
   draws(scene, options = []) {
     const file = this.writes('render', scene, 'picture.ppm', options);

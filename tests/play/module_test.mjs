@@ -97,6 +97,26 @@ test('the heat map is that of zstrip render --show accuracy', async () => {
   await assert.rejects(drawing.draw({look: 4}), (error) => error.status === 4 && /no truth can be drawn/.test(error.message));
 });
 
+test('a pixel is named in the words of zstrip render --pick', async () => {
+  const drawing = await load();
+  const named = new Set();
+  for (const scene of ['teapot', 'room', 'gallery/train.toml', 'gallery/home.toml', 'figure/figure.gltf']) {
+    const options = ['--size', '200x160', '--frames', '1'];
+    await drawing.open(scene, options);
+    await drawing.draw();
+    for (const [x, y] of [[100, 80], [60, 100], [130, 120], [0, 0]]) {
+      const words = await drawing.pick(x, y);
+      assert.equal(`${x},${y}: ${words}`, command.picks(scene, x, y, options), scene);
+      named.add(words.replace(/ .*/, ''));
+    }
+    await assert.rejects(drawing.pick(200, 80), /outside of the picture/);
+  }
+  assert.ok(named.has('instance') && named.has('background'));
+  await drawing.open('csg.toml', ['--size', '60x60', '--frames', '1']);
+  await drawing.draw();
+  await assert.rejects(drawing.pick(30, 30), (error) => error.status === 2 && /cannot say which solid/.test(error.message));
+});
+
 test('estimates say which effects they leave out', async () => {
   const drawing = await load();
   for (const [scene, leftOut] of [['teapot', []], ['gallery/robot.toml', []], ['csg.toml', ['csg']]]) {

@@ -245,6 +245,35 @@ test('the link holds settings and view', async () => {
   assert.ok((await canvas()).rgb.equals(before.rgb));
 });
 
+test('a click on the picture names the part, a drag does not', async () => {
+  const before = await browser.evaluate('location.hash');
+  await browser.call('Page.navigate', {url: `${address}#scene=gallery/train.toml&size=160x120&frames=1&frame=0`});
+  await browser.evaluate(`document.body.dataset.state = 'old'`);
+  await browser.call('Page.reload');
+  await drawn();
+  assert.equal(await text('#picked'), '');
+  const options = ['--size', '160x120', '--frames', '1'];
+  const {width, height} = await browser.evaluate(`(({clientWidth: width, clientHeight: height}) => ({width, height}))(
+    document.getElementById('canvas'))`);
+  const scale = Math.min(width / 160, height / 120);
+  for (const [x, y] of [[3, 3], [40, 90], [80, 60]]) {
+    await browser.click('#canvas', (x - 79.5) * scale, (y - 59.5) * scale);
+    await browser.until(`document.getElementById('picked').textContent.startsWith('${x},${y}: ')`, kPatience,
+      'the click names nothing');
+    assert.equal(await text('#picked'), command.picks('gallery/train.toml', x, y, options));
+  }
+  const named = await text('#picked');
+  await screenshots('picked');
+  // Beside the picture, and a drag.
+  if (width / 160 > scale + 0.1) await browser.click('#canvas', 4 - width / 2, 0);
+  await browser.drag('#canvas', 40, 0);
+  await drawn();
+  assert.equal(await text('#picked'), named);
+  await browser.evaluate(`document.body.dataset.state = 'asked', location.hash = ${JSON.stringify(before)}`);
+  await drawn();
+  assert.equal(await text('#picked'), '');
+});
+
 // As keys do, but all at once.
 async function write(toml) {
   await browser.evaluate(`document.body.dataset.state = 'asked'`);

@@ -96,6 +96,12 @@ export class Drawing {
     });
   }
 
+  // Names what a pixel of that frame shows, in the words of `zstrip view`.
+  async pick(x, y) {
+    return this.#guarded((module) =>
+      this.#answer(module.ccall('zstrip_pick', 'string', ['number', 'number'], [x, y])).words);
+  }
+
   // The frame that was drawn last as a file: byte for byte that of `zstrip render`.
   png() {
     const module = this.#module;

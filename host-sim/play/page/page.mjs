@@ -99,6 +99,7 @@ async function open() {
 async function openAndDraw() {
   isOpen = isTyped && isOpen;
   setDownloads(false);
+  element('picked').textContent = '';
   if (!isTyped) say('Loading …');
   await fetchExample(settings.scene);
   await open();
@@ -311,9 +312,16 @@ function zoom(steps) {
   update('draw');
 }
 
+// Says what a pixel shows, as `zstrip view` does.
+async function pick(x, y) {
+  if (!isOpen) return;
+  const words = await call('pick', {x, y}).catch((error) => error.message);
+  element('picked').textContent = `${x},${y}: ${inWordsOfPage(words)}`;
+}
+
 // ---- controls ----
 function listen() {
-  listenToSteering(turn, zoom);
+  listenToSteering(turn, zoom, pick);
   listenToText(() => edit(shownText()), restore, begin);
   for (const form of document.forms) form.addEventListener('submit', (event) => event.preventDefault());
   element('frame-number').addEventListener('input', ({target}) => {

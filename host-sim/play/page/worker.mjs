@@ -27,6 +27,9 @@ const calls = {
     shown = drawn.figures.frame;
     return drawn;
   },
+  async pick({x, y}) {
+    return drawing.pick(x, y);
+  },
   async png() {
     return drawing.png();
   },
