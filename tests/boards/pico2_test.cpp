@@ -95,6 +95,21 @@ TEST(BoardPico2, BootRomFindsTheProgram) { expect_to_start(flash_image(kPico2Pro
 
 TEST(BoardPico2, BootRomFindsTheProgramThatShowsBakedScenes) { expect_to_start(flash_image(kPico2Player), 8192); }
 
+#ifdef ZSTRIP_RISCV_PROGRAMS
+/// The block is the first of the flash; entry and stack stand in it.
+TEST(BoardPico2, BootRomFindsTheProgramForRiscv) {
+  const Bytes flash = flash_image("zstrip_pico2_riscv_show", "riscv64-unknown-elf");
+  ASSERT_GE(flash.size(), kSearched);
+  const std::uint32_t entry = word(flash, 12);
+  const std::uint32_t block[] = {kBlockBegin,      0x11010142, 0x00000344, entry,
+                                 kRamBegin + 4096, 0x000004FF, 0,          kBlockEnd};
+  for (std::size_t i = 0; i < std::size(block); ++i) EXPECT_EQ(word(flash, 4 * i), block[i]) << "word " << i;
+  EXPECT_EQ(entry % 2, 0U);
+  EXPECT_GE(entry, kFlashBegin + sizeof block);
+  EXPECT_LT(entry, kFlashBegin + flash.size());
+}
+#endif
+
 /// What `zstrip bake --board pico2 --with` reads.
 TEST(BoardPico2, ProgramThatShowsBakedScenesLeavesTheirPlaceAndNamesIt) {
   const Bytes flash = flash_image(kPico2Player);

@@ -20,11 +20,11 @@ Bytes file_contents(const std::filesystem::path& file) {
   return Bytes(std::istreambuf_iterator<char>(stream), {});
 }
 
-Bytes flash_image(const std::string& program_name) {
+Bytes flash_image(const std::string& program_name, const std::string& tools) {
   const std::filesystem::path image =
       std::filesystem::path(testing::TempDir()) / (program_name + "-" + std::to_string(::getpid()));
   const std::string command =
-      "arm-none-eabi-objcopy -O binary '" + program(program_name).string() + "' '" + image.string() + "'";
+      tools + "-objcopy -O binary '" + program(program_name).string() + "' '" + image.string() + "'";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   Bytes bytes = file_contents(image);
   std::filesystem::remove(image);

@@ -11,8 +11,8 @@ namespace zstrip::boards {
 
 using Bytes = std::vector<unsigned char>;
 
-/// The flash of a program from its beginning, as binutils see it.
-Bytes flash_image(const std::string& program_name);
+/// The flash of a program from its beginning, as binutils see it. `tools`: their prefix.
+Bytes flash_image(const std::string& program_name, const std::string& tools = "arm-none-eabi");
 
 /// How many bytes a variable of a program takes, by its mangled name; 0 if there is none.
 std::uint32_t variable_bytes(const std::string& program_name, const std::string& variable);
