@@ -9,6 +9,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "panel/rgb_model.hpp"
@@ -208,6 +209,51 @@ TEST(PanelScanned, FaultsAreReportedAndTheNextFrameIsRight) {
       ASSERT_TRUE(show(scanned, next, at_once));
       EXPECT_EQ(scanned.fault(next), "");
     }
+  }
+}
+
+/// A clock that tells after each microsecond.
+struct WatchedClock {
+  RgbScanner& scanner;
+  std::function<void()> passed;
+  void wait(std::uint32_t microseconds) {
+    for (; microseconds > 0; --microseconds) scanner.wait(1), passed();
+  }
+};
+
+TEST(PanelScanned, TheFirstStripHasTheBlankingIfTheSecondIsAskedForAtItsEnd) {
+  struct FirstStrip {
+    WatchedClock& clock;
+    std::uint32_t microseconds;
+    ScanStatus draw_strip(std::uint16_t strip, std::span<std::byte> pixels) const {
+      if (strip == 0) clock.wait(microseconds);
+      std::ranges::fill(pixels, static_cast<std::byte>(0x21 + strip));
+      return {};
+    }
+  };
+  constexpr sim::Nanoseconds kBlanking = kSmallTimings.rows.total() * kSmallTimings.row_time();
+  // A strip is read in 160 us, the last one in 80 us, and the blanking takes 240 us.
+  for (const auto& [microseconds, error] : {std::pair{310U, Error::none}, {330U, Error::underrun}}) {
+    RgbModel panel{kSmallGlass};
+    std::span<std::byte> second;  // the buffer that is asked for late
+    sim::Nanoseconds due{};
+    std::function<void(std::span<std::byte>, std::uint16_t)> ask;
+    RgbScanner scanner(panel, kSmallTimings, 4, [&](std::span<std::byte> buffer, std::uint16_t strip) {
+      if (strip != 1) return ask(buffer, strip);
+      second = buffer;
+      due = panel.now() + kBlanking;
+    });
+    WatchedClock clock{scanner, [&] {
+                         if (!second.empty() && panel.now() >= due) ask(std::exchange(second, {}), 1);
+                       }};
+    hal::ScannedPanel<WatchedClock> driver(clock, {.width = 34, .height = 22, .rows = 4});
+    ask = [&driver](std::span<std::byte> buffer, std::uint16_t strip) { driver.ask(buffer, strip); };
+    scanner.start();
+    FirstStrip renderer{clock, 0};
+    ASSERT_TRUE(hal::present(renderer, driver, hal::StripLayout{6, 4}));
+    renderer.microseconds = microseconds;
+    EXPECT_EQ(hal::present(renderer, driver, hal::StripLayout{6, 4}).display, error) << microseconds;
+    EXPECT_EQ(panel.complaints(), std::vector<std::string>{});
   }
 }
 
