@@ -20,10 +20,10 @@ namespace zstrip::hal {
 
 /// The picture of a scanned panel, and the strips in which its controller reads it.
 struct ScanLayout {
-  std::uint16_t width = 0;   ///< pixels
-  std::uint16_t height = 0;  ///< pixels
-  std::uint16_t rows = 0;    ///< pixels; of a strip, 1..height. The last strip may have fewer
-  PixelFormat format = PixelFormat::rgb565;
+  std::uint16_t width = 0;                   ///< pixels
+  std::uint16_t height = 0;                  ///< pixels
+  std::uint16_t rows = 0;                    ///< pixels; of a strip, 1..height. The last strip may have fewer
+  PixelFormat format = PixelFormat::rgb565;  ///< format of the controller's memory, and of the pixels of write()
 };
 
 /// The time in microseconds in which a controller asks for the next strip, at most.
@@ -39,6 +39,7 @@ inline constexpr std::uint32_t kMaxScanMicroseconds = 100'000;
 template <Clock Time>
 class ScannedPanel {
  public:
+  /// Does not wait for the controller, which starts afterwards.
   constexpr ScannedPanel(Time& clock, const ScanLayout& layout) : clock_(clock), layout_(layout) {}
 
   /// Call it in the controller's interrupt, when it has read the strip in a buffer and goes on with the other buffer:
