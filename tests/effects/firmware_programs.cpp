@@ -28,7 +28,7 @@ const std::vector<Other> kOthers = {
     {"my_board_", {"teapot_meshlets"}, effect::unclipped},
     {"pico_show", {"teapot"}, effect::bins},
     {"pico2_show", {"teapot"}, effect::bins},
-    {"pico2_riscv_show", {"teapot"}, effect::bins},
+    {"pico2_riscv_show", {"teapot"}, effect::bins | effect::unclipped},
     {"lm3s6965evb_stuck_bus", {"teapot"}, effect::unclipped},
     {"lm3s6965evb_display_test", {}},
     {"riscv_virt_teapot", {"teapot"}, effect::unclipped},

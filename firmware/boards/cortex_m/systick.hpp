@@ -22,7 +22,7 @@ class SysTickClock {
   void wait(std::uint32_t microseconds);
 
  private:
-  std::uint32_t megahertz_;  ///< rounded up, so that a wait is never too short
+  [[maybe_unused]] std::uint32_t megahertz_;  ///< rounded up, so that a wait is never too short
 };
 
 }  // namespace zstrip::board
