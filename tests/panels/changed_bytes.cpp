@@ -77,19 +77,19 @@ measured::Row row_of(const Case& of) {
   const auto stage = value_of(sim::open_stage(of.scene, {}, {}, view, kFrames));
   sim::FrameRenderer renderer(view, {.strip_rows = kRows});
   renderer.show_on(*panel);
-  std::uint64_t whole = 0, before = panel->bus().bytes();
+  std::uint64_t whole = 0, before = panel->bytes();
   std::uint32_t strips = 0, drawn = 0;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
     const sim::FrameReport report = value_of(renderer.render(value_of(stage->place(frame, kFrames))));
     if (frame == 0) {
-      whole = panel->bus().bytes() - before;
-      before = panel->bus().bytes();
+      whole = panel->bytes() - before;
+      before = panel->bytes();
       strips = report.plan.strips;
     } else {
       drawn += report.drawn_strips;
     }
   }
-  const std::uint64_t changed = (panel->bus().bytes() - before) / (kFrames - 1);
+  const std::uint64_t changed = (panel->bytes() - before) / (kFrames - 1);
   char mean[16];
   std::snprintf(mean, sizeof mean, "%.1f", drawn / double{kFrames - 1});
   return {of.name, std::to_string(whole), std::to_string(changed), std::to_string(strips), mean};
