@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# micropython.sh ROOT SCRATCH ZSTRIP MICROPYTHON: MicroPython's QEMU port is built with the module, for a Cortex-M3, from a
-# copy of its folder, and runs micropython.py: frames of baked scenes are those of `zstrip render`. Without the folder, an
-# empty word, the test is skipped.
+# micropython.sh ROOT SCRATCH ZSTRIP [MICROPYTHON]: MicroPython's QEMU port is built with the module, for a Cortex-M3, outside
+# of its folder, and runs micropython.py: frames of baked scenes are those of `zstrip render`. Without the folder the test
+# is skipped.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 zstrip=$3
-[ -n "$4" ] || { echo "skipped: no MicroPython is given: -DZSTRIP_MICROPYTHON=FOLDER of CMake"; exit 77; }
+[ -n "${4-}" ] || { echo "skipped: no MicroPython is given: -DZSTRIP_MICROPYTHON=FOLDER of CMake"; exit 77; }
 for tool in make python3 arm-none-eabi-g++ qemu-system-arm; do
   command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
