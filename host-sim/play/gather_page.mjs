@@ -49,6 +49,9 @@ function example(path) {
 
 const tomls = (folder) => readdirSync(folder).filter((name) => name.endsWith('.toml')).sort().map((name) => join(folder, name));
 
+/** A module without the lines that are only a comment, which browsers need not load. */
+const withoutComments = (text) => text.replace(/^ *(\/\/.*|\/\*\*.*\*\/)\n/gm, '');
+
 const isFile = (path) => statSync(path, {throwIfNoEntry: false})?.isFile() ?? false;
 
 /** The programs for the Picos that the page gets, as [board, file, path]; an Error if a named one is no file. */
@@ -92,5 +95,8 @@ mkdirSync(join(folder, 'thumbnails'));
 if (module) await drawThumbnails(resolve(module), examples, kScenes, folder);
 for (const [, file, path] of programs) copyFileSync(path, join(folder, file));
 writeFileSync(join(folder, 'contents.json'), JSON.stringify({examples, programs: programs.map(([board]) => board)}));
-for (const name of readdirSync(join(kHere, 'page'))) copyFileSync(join(kHere, 'page', name), join(folder, name));
+for (const name of readdirSync(join(kHere, 'page'))) {
+  const text = readFileSync(join(kHere, 'page', name), 'utf8');
+  writeFileSync(join(folder, name), name.endsWith('.mjs') ? withoutComments(text) : text);
+}
 for (const path of modules) copyFileSync(path, join(folder, basename(path)));

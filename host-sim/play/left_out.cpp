@@ -1,14 +1,10 @@
-// The parts that a page does without: meshes that Draco has compressed and scenes of the benchmark, which are
-// refused, JPEG files as output, threads, and signals: a trap ends the module, and the page says so.
+// The parts that a page does without: meshes that Draco has compressed and the workload R10k, which are refused,
+// JPEG files as output, threads, and signals: a trap ends the module, and the page says so.
 #include "play/left_out.hpp"
-
-#include <fmt/format.h>
-
 #include "image/jpeg_writer.hpp"
 #include "import/crash_guard.hpp"
 #include "import/gltf/draco_meshes.hpp"
 #include "render/parallel.hpp"
-#include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
 
 namespace zstrip::scenes {
@@ -17,23 +13,14 @@ namespace zstrip::scenes {
 const TriangleSoup<10000> kRandom10k{};
 const std::array<Meshlet, kRandom10kMeshlets> kRandom10kMeshletTable{};
 
-// The page shows the knot; cut into meshlets it would take another 150 KB.
-const std::array<Position, kKnotMeshletsVertices> kKnotMeshletsPositions{};
-const std::array<Normal, kKnotMeshletsVertices> kKnotMeshletsNormals{};
-const std::array<Colour, kKnotMeshletsVertices> kKnotMeshletsColours{};
-const std::array<TexCoord, kKnotMeshletsVertices> kKnotMeshletsTexcoords{};
-const std::array<Triangle, kKnotTriangleCount> kKnotMeshletsTriangles{};
-const std::array<Meshlet, kKnotPatches> kKnotMeshletTable{};
-const std::array<std::uint16_t, 1U << (2 * kKnotTextureLog2)> kKnotTexels{};
-
 }  // namespace zstrip::scenes
 
 namespace zstrip::sim {
 
 std::optional<Failure> left_out(std::string_view word) {
-  if (!word.starts_with("random10k") && word != "knot_meshlets" && word != "knot_textured") return std::nullopt;
+  if (!word.starts_with("random10k")) return std::nullopt;
   return Failure{ExitStatus::usage,
-                 fmt::format("the scene {}, for measuring, is too large for a page; the command has it", word)};
+                 "the scenes random10k, for measuring, are too large for a page; the command has them"};
 }
 
 Result<DracoMesh> decode_draco(const GltfJson&, std::span<const std::uint8_t>) {

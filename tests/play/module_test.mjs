@@ -183,7 +183,6 @@ test('what is wrong is said, and the next scene is drawn', async () => {
   await refused('teapot', ['--format', 'rgb56'], 2, /did you mean rgb565/);
   await refused('teapot', ['--ram', '1K'], 5, /bytes missing/);
   await refused('random10k', [], 2, /too large for a page/);
-  await refused('knot_textured', [], 2, /too large for a page/);
   await refused('nowhere.glb', [], 4, /nowhere\.glb/);
   drawing.addFiles([
     {path: 'broken.glb', bytes: new TextEncoder().encode('glTF, or not')},
