@@ -4,30 +4,68 @@ import {cross, dot, minus, random, times, unit} from './shapes.mjs';
 const toLinear = (c) => (c <= 10.31 ? c / 3294.6 : ((c / 255 + 0.055) / 1.055) ** 2.4);
 const toScreen = (c) => 255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
 
+// Boxes in a tree of halves, as an array: of each node its six bounds, the index of its first face, how many it has (0:
+// two halves follow), and the node after it and all below it.
+const kNode = 9, kFacesOfALeaf = 4;
+function boxes(corners, order, first, end, nodes) {
+  const at = nodes.length, bounds = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+  for (const face of order.slice(first, end)) {
+    for (const corner of corners[face]) {
+      corner.forEach((v, k) => {
+        // A little larger, so that rounding never loses a face.
+        bounds[k] = Math.min(bounds[k], v - 1e-6);
+        bounds[k + 3] = Math.max(bounds[k + 3], v + 1e-6);
+      });
+    }
+  }
+  nodes.push(...bounds, first, end - first, 0);
+  if (end - first > kFacesOfALeaf) {
+    nodes[at + 7] = 0;
+    const sides = [0, 1, 2].map((k) => bounds[k + 3] - bounds[k]), axis = sides.indexOf(Math.max(...sides));
+    const place = (face) => corners[face][0][axis] + corners[face][1][axis] + corners[face][2][axis];
+    order.splice(first, end - first, ...order.slice(first, end).sort((a, b) => place(a) - place(b)));
+    const middle = (first + end) >> 1;
+    boxes(corners, order, first, middle, nodes);
+    boxes(corners, order, middle, end, nodes);
+  }
+  nodes[at + 8] = nodes.length;
+  return nodes;
+}
+
 // Returns (from, along, reach): whether one of these faces is on the way. `along` has length 1.
 export function tracer(faces) {
-  const size = 13, flat = new Float64Array(faces.length * size);
-  faces.forEach(({points: [p, q, r]}, i) => {
-    const middle = [0, 1, 2].map((k) => (p[k] + q[k] + r[k]) / 3);
-    const radius = Math.max(...[p, q, r].map((corner) => Math.hypot(...minus(corner, middle))));
-    flat.set([...p, ...minus(q, p), ...minus(r, p), ...middle, radius], i * size);
+  const size = 9, order = faces.map((_, i) => i), flat = new Float64Array(faces.length * size);
+  const nodes = new Float64Array(boxes(faces.map(({points}) => points), order, 0, faces.length, []));
+  order.forEach((face, i) => {
+    const [p, q, r] = faces[face].points;
+    flat.set([...p, ...minus(q, p), ...minus(r, p)], i * size);
   });
   return ([x, y, z], [a, b, c], reach) => {
-    for (let i = 0; i < flat.length; i += size) {
-      const mx = flat[i + 9] - x, my = flat[i + 10] - y, mz = flat[i + 11] - z, radius = flat[i + 12];
-      const ahead = mx * a + my * b + mz * c;
-      if (ahead < -radius || ahead > reach + radius) continue;
-      if (mx * mx + my * my + mz * mz - ahead * ahead > radius * radius) continue;
-      const ex = flat[i + 3], ey = flat[i + 4], ez = flat[i + 5], fx = flat[i + 6], fy = flat[i + 7], fz = flat[i + 8];
-      const hx = b * fz - c * fy, hy = c * fx - a * fz, hz = a * fy - b * fx, det = ex * hx + ey * hy + ez * hz;
-      if (Math.abs(det) < 1e-12) continue;
-      const sx = x - flat[i], sy = y - flat[i + 1], sz = z - flat[i + 2], u = (sx * hx + sy * hy + sz * hz) / det;
-      if (u < 0 || u > 1) continue;
-      const kx = sy * ez - sz * ey, ky = sz * ex - sx * ez, kz = sx * ey - sy * ex,
-            v = (a * kx + b * ky + c * kz) / det;
-      if (v < 0 || u + v > 1) continue;
-      const t = (fx * kx + fy * ky + fz * kz) / det;
-      if (t > 1e-4 && t < reach) return true;
+    const ia = 1 / a, ib = 1 / b, ic = 1 / c;
+    for (let node = 0; node < nodes.length;) {
+      const ax = (nodes[node] - x) * ia, bx = (nodes[node + 3] - x) * ia;
+      const ay = (nodes[node + 1] - y) * ib, by = (nodes[node + 4] - y) * ib;
+      const az = (nodes[node + 2] - z) * ic, bz = (nodes[node + 5] - z) * ic;
+      const near = Math.max(Math.min(ax, bx), Math.min(ay, by), Math.min(az, bz), 0);
+      const far = Math.min(Math.max(ax, bx), Math.max(ay, by), Math.max(az, bz), reach);
+      if (near > far) {
+        node = nodes[node + 8];
+        continue;
+      }
+      const end = (nodes[node + 6] + nodes[node + 7]) * size;
+      for (let i = nodes[node + 6] * size; i < end; i += size) {
+        const ex = flat[i + 3], ey = flat[i + 4], ez = flat[i + 5], fx = flat[i + 6], fy = flat[i + 7], fz = flat[i + 8];
+        const hx = b * fz - c * fy, hy = c * fx - a * fz, hz = a * fy - b * fx, det = ex * hx + ey * hy + ez * hz;
+        if (Math.abs(det) < 1e-12) continue;
+        const sx = x - flat[i], sy = y - flat[i + 1], sz = z - flat[i + 2], u = (sx * hx + sy * hy + sz * hz) / det;
+        if (u < 0 || u > 1) continue;
+        const kx = sy * ez - sz * ey, ky = sz * ex - sx * ez, kz = sx * ey - sy * ex,
+              v = (a * kx + b * ky + c * kz) / det;
+        if (v < 0 || u + v > 1) continue;
+        const t = (fx * kx + fy * ky + fz * kz) / det;
+        if (t > 1e-4 && t < reach) return true;
+      }
+      node += kNode;
     }
     return false;
   };
