@@ -1,4 +1,4 @@
-// Includes all public headers except area.hpp, which few programs need, and visibility.hpp, whose methods are studies.
+// Includes all public headers but pick.hpp, area.hpp and fingerprints.hpp, for few programs, and visibility.hpp.
 #pragma once
 
 #include "zstrip/animation.hpp"

@@ -84,9 +84,6 @@ void touched() {
 }
 
 void in_part() {
-  constexpr std::size_t kColumns = 160;
-  static std::array<std::byte, 2 * kColumns * 120> pixels;
-  static std::array<std::uint8_t, kColumns * 120> mask;
   // docs/player.md: A part of a larger picture
 }
 

@@ -101,7 +101,13 @@ const char* Player::error() {
             << static_cast<std::uint32_t>(baked_.clips.size()) << " clips";
       break;
     case Fault::pose: words << "what joints move cannot be posed: " << message(status_.error); break;
-    case Fault::pick: words << "the pixel cannot be picked: " << message(status_.error); break;
+    case Fault::pick:
+      if (status_.error == Error::view_size) {
+        words << "the pixel is outside of the picture";
+      } else {
+        words << "the pixel cannot be picked: " << message(status_.error);
+      }
+      break;
   }
   return words_;
 }
