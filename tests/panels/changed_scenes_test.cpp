@@ -195,6 +195,26 @@ TEST_P(ChangedScene, AFrameThatIsDrawnAgainDrawsNoStrip) {
   EXPECT_EQ(drawer.draw(staging->scene, staging->camera, staging->version), kStrips);
 }
 
+// A dithered view dithers its background if there is fog.
+TEST(ChangedStrips, ABackgroundIsDrawnAgainWhenFogBegins) {
+  constexpr View kDithered{96, 80, zstrip::PixelFormat::rgb565, true};
+  const Fog fog{.end = 1 << 16};
+  Scene scene;
+  const auto print = [&] {
+    const Effects effects = effect::fog | effects_of(kDithered);
+    const PlanResult planned = plan(count(scene), kDithered, effects, {.strip_rows = kRows});
+    EXPECT_TRUE(planned.status);
+    std::vector<std::uint64_t> arena(planned.plan.bytes() / sizeof(std::uint64_t) + 1);
+    AnyRenderer renderer(effects);
+    EXPECT_TRUE(
+        renderer.begin_frame(scene, Camera{}, kDithered, planned.plan, std::as_writable_bytes(std::span(arena))));
+    return StripFingerprints<1>(renderer.frame(), Camera{})[0];
+  };
+  const std::uint32_t clear = print();
+  scene.fog = &fog;
+  EXPECT_NE(print(), clear);
+}
+
 /// A small thing that moves in a large picture: strips beside it are neither drawn nor sent.
 TEST(ChangedStrips, OnlyStripsThatAMovingInstanceTouchesAreDrawn) {
   constexpr Position kCorners[]{{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}};

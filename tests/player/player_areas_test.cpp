@@ -237,6 +237,8 @@ TEST(PlayerChanges, NothingOutsideOfTheRectangleDiffers) {
       step("has another background");
       player.show_text("changed");
       step("has a text");
+      player.show_text("changed", false, kLargeFont);
+      step("has another font");
       step("stands still");
       EXPECT_TRUE(player.begin() && player.changed().empty()) << scene;
     }

@@ -48,8 +48,9 @@ class Strips {
 Digest digest_of_background(const FrameState& frame) {
   Digest digest(1);
   digest.add(std::uint32_t{frame.view.width} << 16U | frame.view.height);
-  digest.add(static_cast<std::uint32_t>(frame.view.format) << 16U | std::uint32_t{frame.view.dither} << 8U |
-             frame.view.samples);
+  // Fog dithers the background, too.
+  digest.add(std::uint32_t{frame.scene->fog != nullptr} << 31U | static_cast<std::uint32_t>(frame.view.format) << 16U |
+             std::uint32_t{frame.view.dither} << 8U | frame.view.samples);
   digest.add(frame.scene->background);
   return digest;
 }

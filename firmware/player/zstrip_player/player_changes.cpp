@@ -35,6 +35,7 @@ Rect Player::changed() {
   Digest picture(1), scene(1);
   picture.add(staged_.scene.background);
   for (const char letter : text_) picture.add(std::int32_t{letter});
+  picture.add_one(&font_);
   const Camera& camera = staged_.camera;
   for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) scene.add(vector);
   scene.add(camera.focal);
