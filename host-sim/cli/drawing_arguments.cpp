@@ -21,9 +21,14 @@ View panel_view(const PanelRequest& panel) {
   return {sideways ? module.height : module.width, sideways ? module.width : module.height, core_format(panel.format)};
 }
 
-/// Some panels accept only whole groups of rows.
+/// Some panels accept only whole groups of rows, others only whole rows.
 Result<Done> fit_strips_to_panel(Drawing& drawing) {
   const std::uint16_t step = row_step(*drawing.panel);
+  if (drawing.panel->bus == BusKind::rgb && (drawing.budget.strip_columns != 0 || drawing.budget.split_columns)) {
+    return usage(fmt::format("--{}: a {} is read row by row, and takes strips of its width",
+                             drawing.budget.split_columns ? "split-columns" : "strip-columns",
+                             drawing.panel->kind->name));
+  }
   if (step == 1) return Done{};
   if (drawing.budget.strip_rows == 0) {
     drawing.budget.strip_rows = drawing.budget.bytes == 0 ? drawing.view.height : step;

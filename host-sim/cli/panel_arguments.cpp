@@ -144,8 +144,8 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
                        .cycle = bus->cycle,
                        .changes = arguments.changes};
   if (!has_orientation(**kind, request.orientation)) {
-    return usage(
-        fmt::format("--rotation {}: a {} cannot show a picture so", arguments.rotation.value_or("0"), (*kind)->name));
+    const std::string given = arguments.rotation ? "--rotation " + *arguments.rotation : "--mirror";
+    return usage(fmt::format("{}: a {} cannot show a picture so", given, (*kind)->name));
   }
   if (request.changes && request.bus == BusKind::rgb) {
     return usage(fmt::format("--changes: a {} has no memory, and needs every strip in each refresh", (*kind)->name));

@@ -103,8 +103,12 @@ TEST_F(PanelCommand, AnRgbPanelTakesARefreshForEachFrame) {
     EXPECT_EQ(frame["bus"]["bytes"], 480 * 272 * 2);
     EXPECT_NEAR(frame["bus"]["time_ns"].get<double>(), 535 * 296 * 111, 2000);
   }
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"--rotation", "90"}, {"--changes"}, {"--bus", "spi"}, {"--strip-rows", "12"}, {"--size", "480x270"}}) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--rotation", "90"},
+                                                                                     {"--changes"},
+                                                                                     {"--bus", "spi"},
+                                                                                     {"--strip-rows", "12"},
+                                                                                     {"--strip-columns", "64"},
+                                                                                     {"--size", "480x270"}}) {
     std::vector<std::string> all{"-o", "a.png", "--panel", "st7262"};
     all.insert(all.end(), words.begin(), words.end());
     EXPECT_EQ(zstrip(all).status, 2) << words[0];
