@@ -24,3 +24,21 @@ zstrip_write_out() {
 zstrip_archive() {
   tar --sort=name --owner=0 --group=0 --numeric-owner --format=ustar -cf - "$1" | gzip -9n
 }
+
+# zstrip_player_package NAME FOLDER [URL]: writes zstrip-NAME and its archive into FOLDER: firmware/NAME, and in its folder
+# cpp the sources of the player.
+zstrip_player_package() {
+  local package=zstrip-$1 library
+  mkdir -p "$2"
+  cd "$2"
+  library=$(mktemp -d)
+  trap "rm -rf '$library'" EXIT
+  bash "$zstrip_root/cmake/zstrip_package_sources.sh" "$library"
+  rm -rf "$package"
+  cp -R "$zstrip_root/firmware/$1" "$package"
+  mkdir "$package/cpp"
+  cp -R "$library"/zstrip/src/{zstrip,zstrip_hal,zstrip_player,zstrip_player.h,zstrip_scenes} "$package/cpp"
+  cp "$zstrip_root"/{LICENSE,CHANGELOG.md} "$package"
+  zstrip_write_out "$package" "${3-}"
+  zstrip_archive "$package" >"$package-$zstrip_version.tar.gz"
+}

@@ -9,16 +9,4 @@ if [ $# -lt 1 ] || [ $# -gt 2 ]; then
   exit 2
 fi
 source "$(dirname "${BASH_SOURCE[0]}")/zstrip_package_files.sh"
-mkdir -p "$1"
-cd "$1"
-library=$(mktemp -d)
-trap 'rm -rf "$library"' EXIT
-bash "$zstrip_root/cmake/zstrip_package_sources.sh" "$library"
-
-rm -rf zstrip-rust
-cp -R "$zstrip_root/firmware/rust" zstrip-rust
-mkdir zstrip-rust/cpp
-cp -R "$library"/zstrip/src/{zstrip,zstrip_hal,zstrip_player,zstrip_player.h,zstrip_scenes} zstrip-rust/cpp
-cp "$zstrip_root"/{LICENSE,CHANGELOG.md} zstrip-rust
-zstrip_write_out zstrip-rust "${2-}"
-zstrip_archive zstrip-rust >"zstrip-rust-$zstrip_version.tar.gz"
+zstrip_player_package rust "$@"

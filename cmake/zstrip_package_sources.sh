@@ -23,8 +23,9 @@ mkdir zstrip/src/zstrip_scenes
 cp "$root"/firmware/scenes/stage.cpp "$root"/firmware/scenes/include/zstrip_scenes/{stage,baked_stage,built_in}.hpp zstrip/src/zstrip_scenes
 cp -R "$root/firmware/examples" zstrip/examples
 # The sketches for libraries of displays have the model of YourModel, and their adapter beside them.
-for sketch in TftEspi:tft_espi LovyanGfx:lovyangfx M5Gfx:lovyangfx ArduinoGfx:arduino_gfx; do
-  cp zstrip/examples/YourModel/scene.hpp zstrip/examples/adapters/"${sketch#*:}".hpp zstrip/examples/"${sketch%:*}"
+for sketch in $(grep -l 'adapters::' zstrip/examples/*/*.ino); do
+  adapter=$(sed -nE 's/^#include "(.*)"$/\1/p' "$sketch" | grep -v '^scene')
+  cp zstrip/examples/{YourModel/scene.hpp,adapters/"$adapter"} "$(dirname "$sketch")"
 done
 # Sketches only; and of the adapters those for what takes the package in.
 mv zstrip/examples/adapters zstrip/adapters

@@ -15,12 +15,12 @@ namespace zstrip::lvgl_test {
 inline constexpr std::int32_t kGaugeSide = 240;
 inline constexpr std::int32_t kGaugeRows = 10;  ///< of LVGL's buffer
 
-/// What LVGL sent during a step: areas and their pixels.
+/// Sums up the areas and pixels that LVGL sent during a step.
 struct Sent {
   std::uint32_t crc32 = 0, pixels = 0;
 };
 
-/// What happens in a step; the finger is up at its end.
+/// Does what happens in a step; the finger is up at its end.
 struct GaugeStep {
   const char* name;
   std::int32_t x, y;  ///< where a finger is for 40 ms at the beginning; x < 0: nowhere

@@ -35,7 +35,7 @@ build() {
 
 failed=0
 first=HelloPyramid
-read -r -d '' -a others < <(ls -I $first -I TftEspi -I LovyanGfx -I M5Gfx -I ArduinoGfx "$scratch/libraries/zstrip/examples") || true
+read -r -d '' -a others < <(cd "$scratch/libraries/zstrip/examples" && grep -L 'adapters::' */*.ino | sed "s|/.*||; /^$first$/d") || true
 [ ${#others[@]} -ge 4 ] || { echo "the package has no sketches"; failed=1; }
 if [ -z "${ZSTRIP_LONG-}" ]; then others=(${3:+Baked}); fi
 for sketch in $first "${others[@]}"; do

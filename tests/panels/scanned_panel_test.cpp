@@ -64,7 +64,7 @@ struct Scanned {
         driver(scanner, {.width = 34, .height = 22, .rows = rows_of_driver != 0 ? rows_of_driver : rows}) {}
 
   hal::StripLayout layout() const { return {static_cast<std::uint16_t>((22 + rows - 1) / rows), rows, 0}; }
-  /// What is wrong on the glass when all of the frame was read.
+  /// Says what is wrong on the glass when all of the frame was read.
   std::string fault(const Picture& expected) {
     for (int i = 0; i < 10'000 && asked_for != 0; ++i) scanner.wait(1);
     scanner.show_rest();

@@ -72,7 +72,7 @@ inline constexpr Board kPico2{.name = "pico2",
                               .player = "zstrip_pico2_player",
                               .player_memory = 507 * 1024,
                               .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico2")};
-/// The same board with programs for its RISC-V processors.
+/// Returns the same board with programs for its RISC-V processors.
 constexpr Board on_riscv(Board board) {
   board.name = "pico2_riscv", board.family = 0xE48BFF5A;
   return board;

@@ -1,4 +1,4 @@
-// Of M5GFX: its guard, by which it is recognised, and its device.
+// M5GFX is recognised by its guard; the sketch declares its device.
 #ifndef __M5GFX_H__
 #define __M5GFX_H__  // NOLINT
 #include "../declarations/lgfx/device.hpp"

@@ -25,7 +25,7 @@ namespace {
 
 using namespace zstrip;
 
-// What clips.toml calls for: another set would be refused by name.
+// The player refuses another set than clips.toml calls for, by name.
 constexpr Effects kEffects =
     effect::lighting | effect::gouraud | effect::vertex_colours | effect::supersampled | effect::shade_gouraud;
 constexpr zstrip_pipeline kPipeline{drawn_with<kEffects>};
