@@ -1,23 +1,27 @@
 #!/usr/bin/env bash
-# esp_idf.sh ROOT ZSTRIP FOLDER: the adapter for esp_lcd, and the program of `zstrip bake --project esp_idf`, compile with the
-# headers of the real ESP-IDF in FOLDER, for an ESP32-C3 by Debian's compiler for RISC-V: as gnu++20, and as gnu++23, the
-# newest that it knows (release 6 has gnu++26).
+# esp_idf.sh ROOT ZSTRIP FOLDER [PANEL_DRIVER]: the adapters for esp_lcd, the program of `zstrip bake --project esp_idf`, and
+# those of the package for RGB and MIPI-DSI panels compile with the headers of the real ESP-IDF in FOLDER, each for a chip that
+# runs it: as gnu++20, and as gnu++23, the newest that Debian's compilers know (release 6 has gnu++26).
+# PANEL_DRIVER: the folder of the component esp_lcd_ek79007; without it a stand-in declares its functions.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
-zstrip=$2 components=$3/components
-compiler=riscv64-unknown-elf-g++
-for tool in $compiler arm-none-eabi-g++; do
+zstrip=$2 components=$3/components driver=${4:+$4/include}
+for tool in riscv64-unknown-elf-g++ xtensa-lx106-elf-g++ arm-none-eabi-g++; do
   command -v $tool >/dev/null || { echo "$tool is not installed"; exit 77; }
 done
 [ -f "$components/esp_lcd/include/esp_lcd_panel_io.h" ] || { echo "$3 is not the folder of ESP-IDF"; exit 1; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# Of what menuconfig writes, what these headers need.
-cat >"$scratch/sdkconfig.h" <<'CONFIG'
-#define CONFIG_IDF_TARGET "esp32c3"
-#define CONFIG_IDF_TARGET_ESP32C3 1
-#define CONFIG_IDF_TARGET_ARCH_RISCV 1
+# configure CHIP ARCHITECTURE: writes what these headers need of what menuconfig writes, and sets `include`, the folders of headers for
+# CHIP. The C++ headers are those of the Arm compiler, as in cmake/toolchains/libstdcxx_headers.cmake.
+configure() {
+  local folder chip=$1 architecture=$2 kernel=$components/freertos/FreeRTOS-Kernel
+  mkdir -p "$scratch/$chip"
+  cat >"$scratch/$chip/sdkconfig.h" <<CONFIG
+#define CONFIG_IDF_TARGET "$chip"
+#define CONFIG_IDF_TARGET_${chip^^} 1
+#define CONFIG_IDF_TARGET_ARCH_${architecture^^} 1
 #define CONFIG_ESP_SYSTEM_SINGLE_CORE_MODE 1
 #define CONFIG_FREERTOS_HZ 100
 #define CONFIG_FREERTOS_UNICORE 1
@@ -25,24 +29,49 @@ cat >"$scratch/sdkconfig.h" <<'CONFIG'
 #define CONFIG_FREERTOS_MAX_TASK_NAME_LEN 16
 #define CONFIG_FREERTOS_TASK_NOTIFICATION_ARRAY_ENTRIES 1
 CONFIG
-# The C++ headers are those of the Arm compiler, as in cmake/toolchains/libstdcxx_headers.cmake.
-include=(-isystem "$scratch")
-while IFS= read -r folder; do include+=(-isystem "$folder"); done < <(
-  arm-none-eabi-g++ -E -v -x c++ /dev/null 2>&1 >/dev/null |
-    sed -n '/search starts here/,/End of search/s/^ //p' | grep -E '/include(/c\+\+/.*)?$' |
-    grep -vE '/lib/gcc/[^/]*/[^/]*/include$|/backward$'
-  chip=esp32c3 kernel=$components/freertos/FreeRTOS-Kernel
-  for folder in "$components"/*/{include,platform_include} "$components"/*/$chip/{include,register} \
-      "$components"/esp_hw_support/{include/soc,etm/include} "$components"/freertos/{config,esp_additions}/include \
-      "$components"/freertos/config/{include/freertos,riscv/include} "$kernel"/include \
-      "$kernel"/portable/riscv/include{,/freertos}; do
-    if [ -d "$folder" ]; then echo "$folder"; fi
-  done)
+  include=(-isystem "$scratch/$chip")
+  while IFS= read -r folder; do include+=(-isystem "$folder"); done < <(
+    arm-none-eabi-g++ -E -v -x c++ /dev/null 2>&1 >/dev/null |
+      sed -n '/search starts here/,/End of search/s/^ //p' | grep -E '/include(/c\+\+/.*)?$' |
+      grep -vE '/lib/gcc/[^/]*/[^/]*/include$|/backward$'
+    for folder in "$components"/*/{include,platform_include} "$components"/*/$chip/{include,register} \
+        "$components"/*/$chip/register/hw_ver1 "$components"/esp_lcd/{rgb,dsi}/include \
+        "$components"/esp_hw_support/{include/soc,etm/include,ldo/include} "$components"/freertos/{config,esp_additions}/include{,/freertos} \
+        "$components"/freertos/config/$architecture/include "$kernel"/include \
+        "$kernel"/portable/$architecture/include{,/freertos}; do
+      if [ -d "$folder" ]; then echo "$folder"; fi
+    done)
+}
+# compiles WHAT SOURCE COMPILER...: as both standards.
+compiles() {
+  local standard
+  for standard in gnu++20 gnu++23; do
+    "${@:3}" -std=$standard -Wall -Wextra -Werror -Wno-missing-field-initializers -fno-exceptions -fno-rtti -fsyntax-only \
+      -DESP_PLATFORM "${include[@]}" -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" \
+      -I"$root/firmware/examples/adapters" -I"$root/firmware/examples/Player" "$2"
+    echo "$1 compiled as $standard"
+  done
+}
+package=$root/firmware/package/esp_idf
 
 "$zstrip" bake teapot -o "$scratch/teapot/" --project esp_idf --quiet
-for standard in gnu++20 gnu++23; do
-  "$compiler" -march=rv32imac -mabi=ilp32 -std=$standard -Wall -Wextra -Werror -Wno-missing-field-initializers -fno-exceptions \
-    -fno-rtti -fsyntax-only -DESP_PLATFORM "${include[@]}" -I"$root/core" -I"$root/hal" -I"$root/firmware/player" \
-    -I"$root/firmware/scenes/include" "$scratch/teapot/main/main.cpp"
-  echo "compiled as $standard"
-done
+configure esp32c3 riscv
+compiles "the program of bake" "$scratch/teapot/main/main.cpp" riscv64-unknown-elf-g++ -march=rv32imac -mabi=ilp32
+
+# That of an ESP32-S3 differs from Debian's Xtensa in registers, which syntax does not show.
+configure esp32s3 xtensa
+compiles "the program for an RGB panel" "$package/rgb_panel/main/main.cpp" xtensa-lx106-elf-g++
+
+if [ ! -f "$components/esp_lcd/dsi/include/esp_lcd_mipi_dsi.h" ]; then
+  echo "this ESP-IDF has no MIPI-DSI: the program for its panels is not compiled"
+  exit
+fi
+configure esp32p4 riscv
+if [ -z "$driver" ]; then
+  driver=$scratch/driver
+  mkdir "$driver"
+  cp "$root/tests/adapters/declarations/esp_lcd_ek79007.h" "$driver"
+fi
+include+=(-isystem "$driver")
+compiles "the program for a MIPI-DSI panel" "$package/mipi_dsi_panel/main/main.cpp" \
+  riscv64-unknown-elf-g++ -march=rv32imafc -mabi=ilp32f

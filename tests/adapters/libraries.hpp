@@ -25,6 +25,9 @@ std::unique_ptr<panel::AnyDisplay> open_tft_espi_with_dma();  ///< the sketch ha
 std::unique_ptr<panel::AnyDisplay> open_lovyangfx();
 std::unique_ptr<panel::AnyDisplay> open_arduino_gfx();
 std::unique_ptr<panel::AnyDisplay> open_esp_lcd();
+std::unique_ptr<panel::AnyDisplay> open_esp_lcd_dsi();         ///< the processor copies
+std::unique_ptr<panel::AnyDisplay> open_esp_lcd_dsi_by_dma();  ///< with DMA2D
+std::unique_ptr<panel::AnyDisplay> open_esp_lcd_rgb_framebuffer();
 std::unique_ptr<panel::AnyDisplay> open_pico();
 std::unique_ptr<panel::AnyDisplay> open_stm32();  ///< blocks
 std::unique_ptr<panel::AnyDisplay> open_stm32_dma();

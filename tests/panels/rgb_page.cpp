@@ -15,7 +15,7 @@ Ticks clock;
 const Scene scene{};
 const Camera camera{};
 constexpr View kView{480, 272, PixelFormat::rgb565};
-constexpr Plan kPlan = plan(SceneCounts{}, kView, Effects{}, {.bytes = 0, .strip_rows = 16}).plan;
+constexpr Plan kPlan = plan(SceneCounts{}, kView, Effects{}, {.bytes = 0, .strip_rows = 17}).plan;
 std::array<std::uint64_t, kPlan.bytes() / 8 + 1> words;
 const std::span<std::byte> arena = std::as_writable_bytes(std::span(words));
 Renderer<Effects{}> renderer;

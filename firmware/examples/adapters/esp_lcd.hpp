@@ -33,10 +33,9 @@ class EspLcd {
 
   /// Call it once, before the first frame. Registers the callback of the IO handle. Error::bus: that failed.
   Error start() {
-    sent_ = xSemaphoreCreateBinaryStatic(&storage_);
     const esp_lcd_panel_io_callbacks_t callbacks{.on_color_trans_done = &has_sent};
-    if (esp_lcd_panel_io_register_event_callbacks(io_, &callbacks, this) != ESP_OK) sent_ = nullptr;
-    return sent_ != nullptr ? Error::none : Error::bus;
+    prepare();
+    return registered(esp_lcd_panel_io_register_event_callbacks(io_, &callbacks, this));
   }
 
   std::uint16_t width() const { return width_; }
@@ -61,11 +60,30 @@ class EspLcd {
   }
   Error end_frame() { return Error::none; }
 
+ protected:
+  /// The other adapters of esp_lcd (esp_lcd_rgb.hpp, esp_lcd_dsi.hpp) call these functions. prepare() comes before the
+  /// callback can, registered() after.
+  void prepare() { sent_ = xSemaphoreCreateBinaryStatic(&storage_); }
+  Error registered(esp_err_t said) {
+    if (said != ESP_OK) sent_ = nullptr;
+    return sent_ != nullptr ? Error::none : Error::bus;
+  }
+  esp_lcd_panel_handle_t panel() const { return panel_; }
+  /// The driver has taken the strip: it says so in an interrupt, or within draw_bitmap(). Returns true if a task of
+  /// higher priority was woken.
+  bool end_write() {
+    if (!xPortInIsrContext()) {
+      xSemaphoreGive(sent_);
+      return false;
+    }
+    BaseType_t woken = pdFALSE;
+    xSemaphoreGiveFromISR(sent_, &woken);
+    return woken == pdTRUE;
+  }
+
  private:
   static bool has_sent(esp_lcd_panel_io_handle_t, esp_lcd_panel_io_event_data_t*, void* self) {
-    BaseType_t woken = pdFALSE;
-    xSemaphoreGiveFromISR(static_cast<EspLcd*>(self)->sent_, &woken);
-    return woken == pdTRUE;
+    return static_cast<EspLcd*>(self)->end_write();
   }
 
   esp_lcd_panel_io_handle_t io_;

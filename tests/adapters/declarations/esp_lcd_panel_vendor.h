@@ -18,13 +18,7 @@ esp_err_t esp_lcd_new_panel_io_spi(esp_lcd_spi_bus_handle_t bus, const esp_lcd_p
 struct esp_lcd_panel_dev_config_t {
   unsigned bits_per_pixel;
   gpio_num_t reset_gpio_num;
+  void* vendor_config;
 };
 esp_err_t esp_lcd_new_panel_st7789(esp_lcd_panel_io_handle_t io, const esp_lcd_panel_dev_config_t* config,
                                    esp_lcd_panel_handle_t* panel);
-esp_err_t esp_lcd_panel_reset(esp_lcd_panel_handle_t panel);
-esp_err_t esp_lcd_panel_init(esp_lcd_panel_handle_t panel);
-esp_err_t esp_lcd_panel_invert_color(esp_lcd_panel_handle_t panel, bool invert);
-esp_err_t esp_lcd_panel_swap_xy(esp_lcd_panel_handle_t panel, bool swap);
-esp_err_t esp_lcd_panel_mirror(esp_lcd_panel_handle_t panel, bool mirror_x, bool mirror_y);
-esp_err_t esp_lcd_panel_set_gap(esp_lcd_panel_handle_t panel, int x_gap, int y_gap);
-esp_err_t esp_lcd_panel_disp_on_off(esp_lcd_panel_handle_t panel, bool on);
