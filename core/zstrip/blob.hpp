@@ -10,6 +10,7 @@
 #include "zstrip/camera.hpp"
 #include "zstrip/clips.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/morph.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
@@ -20,8 +21,10 @@
 
 namespace zstrip {
 
-inline constexpr std::uint8_t kSceneBlobVersion = 5;     ///< the only version that is read: bake blobs of other
-                                                         ///< versions again
+inline constexpr std::uint8_t kSceneBlobVersion = 6;  ///< the latest version that is read
+/// The earliest version that is read: bake earlier blobs again. Blobs without morph targets are written as this
+/// version, for programs that do not know later ones.
+inline constexpr std::uint8_t kFirstSceneBlobVersion = 5;
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< bytes, for the blob's first byte
 
 /// The effects that a picture may be baked for in addition to those of scene and view. The index is the number that a
@@ -52,6 +55,7 @@ struct SceneBlob {
                                            ///< `turn` moves nothing
   std::span<const Skin> skins{};           ///< of meshes of the scene; they have the same joints
   MovedSkins moved{};                      ///< one Skinning a skin, to which the scene's meshes refer: for pose_clips
+  MovedMorphs morphs{};                    ///< morph targets of meshes of the scene, for pose_clips
   std::uint32_t memory_bytes = 0;          ///< of the lent memory, that are in use
 
   /// Returns the camera for a motion of `frames` frames.
@@ -77,36 +81,48 @@ constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t text
          std::size_t{labels} * sizeof(Label);
 }
 
-/// The numbers of a blob's skins, joints and clips, and of the vertices that move at a time.
+/// The numbers of a blob's skins, joints, clips and morph targets, and of the vertices that move at a time.
 struct CharacterCounts {
   std::uint32_t skins = 0;      ///< tables of skins, one a mesh that bends
   std::uint32_t joints = 0;     ///< joints of all skins together
   std::uint32_t clips = 0;      ///< named animations
   std::uint32_t positions = 0;  ///< vertices of the largest meshlet of all skins, which share the memory for them
   std::uint32_t normals = 0;    ///< vertices of the largest meshlet of a skin with normals
+  std::uint32_t morphs = 0;     ///< meshes with morph targets
+  std::uint32_t targets = 0;    ///< morph targets of all these meshes
+  std::uint32_t weights = 0;    ///< weights of all targets
+  std::uint64_t morphed_positions = 0;  ///< vertices of all meshes with morph targets
+  std::uint64_t morphed_normals = 0;
+  std::uint64_t morphed_meshlets = 0;
 };
 
-/// Returns the bytes to lend in addition to scene_blob_memory, for tables, the pose, matrices and a moved meshlet.
+/// Returns the bytes to lend in addition to scene_blob_memory, for tables, the pose, matrices, a moved meshlet, weights
+/// and morphed meshes.
 constexpr std::uint64_t character_memory(const CharacterCounts& counts) {
   static_assert(alignof(Skin) == alignof(Mesh) && alignof(Skinning) == alignof(Mesh) && alignof(Clip) == alignof(Mesh));
+  static_assert(alignof(MovedMorph) == alignof(Mesh) && alignof(MorphTarget) == alignof(Mesh));
   const std::uint64_t matrices = std::uint64_t{counts.skins} * counts.joints;
   return std::uint64_t{counts.skins} * (sizeof(Skin) + sizeof(Skinning)) + std::uint64_t{counts.clips} * sizeof(Clip) +
          matrices * sizeof(Transform) + std::uint64_t{counts.joints} * sizeof(JointPose) +
-         std::uint64_t{counts.positions} * sizeof(Position) + std::uint64_t{counts.normals} * sizeof(Normal);
+         std::uint64_t{counts.positions} * sizeof(Position) + std::uint64_t{counts.normals} * sizeof(Normal) +
+         std::uint64_t{counts.morphs} * (sizeof(MovedMorph) + sizeof(Mesh)) +
+         std::uint64_t{counts.targets} * sizeof(MorphTarget) + std::uint64_t{counts.weights} * sizeof(MorphWeight) +
+         counts.morphed_positions * sizeof(Position) + counts.morphed_normals * sizeof(Normal) +
+         counts.morphed_meshlets * sizeof(Meshlet);
 }
 
 /// Bytes, for the memory that is lent to open_scene_blob.
 inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 
 /// Checks the whole `blob`, with checksum, offsets and scene (validate), and then makes `opened` a view of it. On an
-/// error `opened` keeps its value. Skins are in the pose as they were modelled until pose_clips. Time: linear in the
-/// blob's size. Any bytes are safe. Errors: blob_alignment; blob_damaged (`needed`: offset of the wrong byte, or the
-/// offset behind the last byte if bytes are missing); blob_version (`needed`: the blob's version, `available`: the
-/// supported version); blob_section
+/// error `opened` keeps its value. Skins and morph targets are in the pose as they were modelled until pose_clips.
+/// Time: linear in the blob's size and in the bytes of `memory`. Any bytes are safe. Errors: blob_alignment;
+/// blob_damaged (`needed`: offset of the wrong byte, or the offset behind the last byte if bytes are missing);
+/// blob_version (`needed`: the blob's version, `available`: the latest version that is read); blob_section
 /// (`needed`: tag of a required section that this program does not know, its first letter in the highest byte);
 /// blob_depth (`needed`: number of a depth format that was removed); blob_memory (`needed`, `available`: bytes of
-/// `memory`); camera; skin (`needed`: the mesh of lines, edges or CSG that joints move, or as in validate); and all
-/// errors of validate.
+/// `memory`); camera; skin (`needed`: the mesh of lines, edges or CSG that joints move, or as in validate, also of
+/// a Morph); and all errors of validate.
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened);
 
 }  // namespace zstrip

@@ -1,4 +1,5 @@
-// Plays the clips of a model: named animations of instances and joints that repeat or end, and fade into each other.
+// Plays the clips of a model: named animations of instances, joints and weights of morph targets that repeat or end,
+// and fade into each other.
 //     PlayedClips played;                                  // clip 0 from its beginning
 //     played.play(kWave, 300);                             // walks on while it becomes waving, for 300 milliseconds
 //     played.advance(milliseconds, clips);                 // before each frame
@@ -9,18 +10,20 @@
 #include <span>
 
 #include "zstrip/animation.hpp"
+#include "zstrip/morph.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/skin.hpp"
 #include "zstrip/status.hpp"
 
 namespace zstrip {
 
-/// A named animation of instances and joints. Both parts last equally long, more than 0 milliseconds; either may have
-/// no tracks.
+/// A named animation of instances, joints and weights. All parts last equally long, more than 0 milliseconds; each may
+/// have no tracks.
 struct Clip {
-  const char* name = "";  ///< UTF-8
-  Animation instances;    ///< moves instances
-  Animation joints;       ///< Track::instance is the joint
+  const char* name = "";      ///< UTF-8
+  Animation instances;        ///< moves instances
+  Animation joints;           ///< Track::instance is the joint
+  WeightAnimation weights{};  ///< Track::instance is the weight
 
   /// Returns the milliseconds until it repeats.
   constexpr std::uint32_t duration() const { return instances.duration; }
@@ -30,6 +33,19 @@ struct Clip {
 struct MovedSkins {
   std::span<Skinning> skinnings;  ///< one a mesh
   std::span<JointPose> pose;      ///< one a joint
+};
+
+/// A mesh with morph targets, and the memory for its vertices.
+struct MovedMorph {
+  Morph morph;             ///< of the mesh as it was modelled
+  MovedVertices vertices;  ///< those of the scene's mesh
+  std::uint16_t mesh = 0;  ///< its index in the scene
+};
+
+/// Meshes with morph targets, which have the same weights.
+struct MovedMorphs {
+  std::span<const MovedMorph> meshes;
+  std::span<MorphWeight> weights;
 };
 
 /// A clip that plays, at one time.
@@ -107,6 +123,11 @@ class PlayedClips {
 /// skins and animations that passed validate; nothing happens without skins. Error::skin as from pose_skin: that skin
 /// then stands as it was modelled. Without clips the joints rest.
 Status pose_clips(std::span<const Clip> clips, std::span<const PlayedClip> played, const MovedSkins& moved);
+
+/// Moves the meshes by their morph targets, before the frame that shows them: weights are 0, then those of pose() of
+/// the first clip; each other clip moves all weights linearly towards its own, by its share. A skin of the same mesh
+/// moves the morphed vertices. Safe for morphs and animations that passed validate. Error::skin as from morph_mesh.
+Status pose_clips(std::span<const Clip> clips, std::span<const PlayedClip> played, const MovedMorphs& moved);
 
 /// Writes the instances at rest, moved by the clips, to `instances`, which are as many. During a fade each entry of a
 /// transform goes linearly from one clip's to the other's.

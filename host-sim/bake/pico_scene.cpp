@@ -81,7 +81,7 @@ std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const
   std::uint64_t kept = table_bytes(scene) + kPieces * kArenaAlignment;
   bool moves = !animation.tracks.empty();
   if (characters != nullptr) {
-    kept += characters->table_bytes() + characters->ram().vertices + characters->ram().joints;
+    kept += characters->table_bytes() + characters->ram().total();
     moves = std::ranges::any_of(characters->clips(), [](const Clip& clip) { return !clip.instances.tracks.empty(); });
   }
   if (moves || turn.what == Turning::instances || turn.what == Turning::instances_and_lines) {

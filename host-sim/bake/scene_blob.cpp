@@ -199,6 +199,30 @@ class Writer {
     half_word(std::uint32_t{skin.mesh});
     zeros(2);
   }
+  void put(const MorphRun& run) {
+    for (const std::uint16_t value : {run.first_vertex, run.count, run.first_offset}) half_word(std::uint32_t{value});
+  }
+  void put(const MorphOffset& offset) {
+    for (const std::int16_t component : {offset.x, offset.y, offset.z}) half_word(component);
+  }
+  void put(const NormalOffset& offset) {
+    for (const std::int8_t component : {offset.x, offset.y, offset.z}) byte(static_cast<std::uint8_t>(component));
+  }
+  void put(const WeightKey& key) {
+    word(key.time);
+    half_word(key.weight);
+    zeros(2);
+  }
+  void put(const blob_layout::MorphRecord& morph) {
+    put(morph.targets);
+    half_word(std::uint32_t{morph.mesh});
+    zeros(2);
+  }
+  void put(const blob_layout::MorphTargetRecord& target) {
+    for (const blob_layout::Range& range : {target.runs, target.positions, target.normals}) put(range);
+    half_word(std::uint32_t{target.weight});
+    zeros(2);
+  }
   void put(const blob_layout::ClipRecord& clip) {
     for (const blob_layout::Range& range : {clip.name, clip.tracks, clip.joint_tracks}) put(range);
     word(clip.duration);
@@ -296,7 +320,7 @@ class SectionWriter {
   }
 
   /// Returns the complete blob.
-  Result<std::vector<std::uint8_t>> blob() const {
+  Result<std::vector<std::uint8_t>> blob(std::uint8_t version) const {
     const std::size_t head = sizeof(blob_layout::Header) + table_.size() * sizeof(blob_layout::Section);
     const std::vector<std::uint8_t>& content = content_.bytes();
     if (head + content.size() > 0xFFFFFFFF) {
@@ -313,7 +337,7 @@ class SectionWriter {
     rest.insert(rest.end(), content.begin(), content.end());
     Writer blob;
     for (const char letter : {'z', 's'}) blob.byte(static_cast<std::uint8_t>(letter));
-    blob.byte(kSceneBlobVersion);
+    blob.byte(version);
     blob.byte('s');
     blob.word(static_cast<std::uint32_t>(blob_layout::kChecked + rest.size()));
     blob.word(static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), rest.data(), rest.size())));
@@ -465,14 +489,21 @@ struct Pools {
   }
 };
 
-/// The records of skins and clips.
+/// The records of skins, clips and morph targets.
 struct CharacterPools {
   Pool<VertexJoints> vertex_joints;
   Pool<Keyframe> keyframes, joint_keyframes;
   Pool<char> names;
-  std::vector<Track> tracks, joint_tracks;
+  std::vector<Track> tracks, joint_tracks, weight_tracks;
   std::vector<blob_layout::SkinRecord> skins;
   std::vector<blob_layout::ClipRecord> clips;
+  std::vector<MorphRun> runs;
+  Pool<MorphOffset> offsets;
+  Pool<NormalOffset> normal_offsets;
+  Pool<WeightKey> weight_keys;
+  std::vector<blob_layout::MorphRecord> morphs;
+  std::vector<blob_layout::MorphTargetRecord> targets;
+  std::vector<blob_layout::Range> weight_ranges;
 
   explicit CharacterPools(const SceneBlob& content) {
     for (const Skin& skin : content.skins) {
@@ -482,21 +513,42 @@ struct CharacterPools {
     }
     for (const Clip& clip : content.clips) {
       clips.push_back({.name = names.add(std::span(clip.name, std::strlen(clip.name) + 1)),
-                       .tracks = add(clip.instances, keyframes, tracks),
-                       .joint_tracks = add(clip.joints, joint_keyframes, joint_tracks),
+                       .tracks = add(clip.instances.tracks, clip.instances.keyframes, keyframes, tracks),
+                       .joint_tracks = add(clip.joints.tracks, clip.joints.keyframes, joint_keyframes, joint_tracks),
                        .duration = clip.duration()});
+      if (content.morphs.meshes.empty()) continue;
+      weight_ranges.push_back(add(clip.weights.tracks, clip.weights.keys, weight_keys, weight_tracks));
+    }
+    for (const MovedMorph& mesh : content.morphs.meshes) add(mesh);
+  }
+
+  void add(const MovedMorph& mesh) {
+    morphs.push_back(
+        {.targets = {static_cast<std::uint32_t>(targets.size()), static_cast<std::uint32_t>(mesh.morph.targets.size())},
+         .mesh = mesh.mesh,
+         .unused = 0});
+    for (const MorphTarget& target : mesh.morph.targets) {
+      const auto first_run = static_cast<std::uint32_t>(runs.size());
+      runs.insert(runs.end(), target.runs.begin(), target.runs.end());
+      targets.push_back({.runs = {first_run, static_cast<std::uint32_t>(target.runs.size())},
+                         .positions = offsets.add(target.positions),
+                         .normals = normal_offsets.add(target.normals),
+                         .weight = target.weight,
+                         .unused = 0});
     }
   }
 
   /// Appends the tracks, with indices into all keyframes.
-  static blob_layout::Range add(const Animation& animation, Pool<Keyframe>& keyframes, std::vector<Track>& all) {
-    const std::uint32_t first = keyframes.add(animation.keyframes).first;
+  template <class Key>
+  static blob_layout::Range add(std::span<const Track> tracks, std::span<const Key> keys, Pool<Key>& all_keys,
+                                std::vector<Track>& all) {
+    const std::uint32_t first = all_keys.add(keys).first;
     const auto first_track = static_cast<std::uint32_t>(all.size());
-    for (Track track : animation.tracks) {
+    for (Track track : tracks) {
       track.first += first;
       all.push_back(track);
     }
-    return {first_track, static_cast<std::uint32_t>(animation.tracks.size())};
+    return {first_track, static_cast<std::uint32_t>(tracks.size())};
   }
 
   void add_to(blob_layout::Records& records) const {
@@ -506,6 +558,14 @@ struct CharacterPools {
     records.vertex_joints = vertex_joints.all();
     records.joint_tracks = joint_tracks;
     records.joint_keyframes = joint_keyframes.all();
+    records.morphs = morphs;
+    records.morph_targets = targets;
+    records.morph_runs = runs;
+    records.morph_offsets = offsets.all();
+    records.normal_offsets = normal_offsets.all();
+    records.weight_ranges = weight_ranges;
+    records.weight_tracks = weight_tracks;
+    records.weight_keys = weight_keys.all();
   }
 };
 
@@ -524,7 +584,10 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   // Animated instances do not rotate.
   const bool is_animated = has_clips || !content.animation.tracks.empty();
   if (is_animated) written.turning_camera = nullptr;
-  const Pools pools(content.scene);
+  std::vector<Mesh> meshes(content.scene.meshes.begin(), content.scene.meshes.end());
+  for (const MovedMorph& morph : content.morphs.meshes) meshes[morph.mesh] = *morph.morph.mesh;
+  written.scene.meshes = meshes;
+  const Pools pools(written.scene);
   blob_layout::Records records = pools.records();
   const blob_layout::BaseRecord base{content.scene.ambient, content.scene.background};
   const View& view = content.view;
@@ -551,7 +614,7 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   }
   SectionWriter sections;
   blob_layout::for_each_section(written, records, sections);
-  return sections.blob();
+  return sections.blob(content.morphs.meshes.empty() ? kFirstSceneBlobVersion : kSceneBlobVersion);
 }
 
 }  // namespace zstrip::sim

@@ -70,7 +70,8 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Returns the option because of which skins cannot be moved while they are drawn, as in a blob; empty if they can.
+/// Returns the option because of which vertices cannot move as in a blob: skins while they are drawn, morph targets
+/// before; empty if they can.
 std::string_view skins_stand_still(const BakeArguments& arguments, Effects method, const BakedSkins& skins,
                                    const Scene& scene) {
   if (method.any(zstrip::method::orders)) return "--visibility";
@@ -91,29 +92,30 @@ Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effe
                              const Scene& scene, bool warn) {
   if (is_source(kind)) return OutputSkins{skins_of(stage), {}};
   OutputSkins output;
-  if (warn && !skins_of(stage).morphs.empty()) {
-    print_warning(
-        "a blob has no morph targets: their meshes keep the first shape; in a header (-o FILE.hpp) they move");
-  }
   Result<std::vector<ModelClip>> clips = stage.clips();
   if (!clips) return clips.failure();
   const auto bends = [](const ModelClip& clip) { return !clip.joints.view().tracks.empty(); };
+  const auto morphs = [](const ModelClip& clip) { return !clip.weights.view().tracks.empty(); };
   const Model* const model = stage.model();
   if (model != nullptr && std::ranges::any_of(*clips, bends)) {
     output.skins = {model->skins, model->joints, model->rest, {}};
   }
+  if (model != nullptr && std::ranges::any_of(*clips, morphs)) {
+    output.skins.morphs = model->morphs;
+    output.skins.weights = model->weights.size();
+  }
   const std::string_view why =
-      output.skins.meshes.empty() ? std::string_view() : skins_stand_still(arguments, method, output.skins, scene);
+      output.skins.move() ? skins_stand_still(arguments, method, output.skins, scene) : std::string_view();
   if (!why.empty()) {
     if (warn) {
       print_warning(
-          fmt::format("with {} a blob has no skins: meshes with joints stand still as at frame 0; in a header (-o "
-                      "FILE.hpp) they move",
+          fmt::format("with {} a blob has no skins and no morph targets: their meshes stand still as at frame 0; in a "
+                      "header (-o FILE.hpp) they move",
                       why));
     }
     return OutputSkins{};
   }
-  if (!output.skins.meshes.empty() || clips->size() > 1) output.clips = std::move(*clips);
+  if (output.skins.move() || clips->size() > 1) output.clips = std::move(*clips);
   return output;
 }
 
@@ -229,7 +231,8 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
                      .turning_camera = has_other_camera ? &turning_camera : nullptr,
                      .effects = picture,
                      .clips = characters != nullptr ? characters->clips() : std::span<const Clip>(),
-                     .skins = characters != nullptr ? characters->skins() : std::span<const Skin>()});
+                     .skins = characters != nullptr ? characters->skins() : std::span<const Skin>(),
+                     .morphs = {characters != nullptr ? characters->morphs() : std::span<const MovedMorph>(), {}}});
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
   if (characters != nullptr) record.flash.keyframes = characters->keyframe_bytes();
   record.flash.tables = blob->size() - record.flash.arrays();

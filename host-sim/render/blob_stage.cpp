@@ -63,24 +63,29 @@ class BlobStage : public CameraStage {
     const std::vector<Instance> poses = all_poses(animation(), blob_.scene.instances);
     Scene whole = blob_.scene;
     whole.instances = poses;
-    // A skin may be anywhere in its mesh's box.
+    // Vertices that move may be anywhere in their mesh's box.
     std::vector<Mesh> boxes(whole.meshes.begin(), whole.meshes.end());
     for (const Skin& skin : blob_.skins)
       boxes[static_cast<std::size_t>(skin.mesh - whole.meshes.data())].positions = kCorners;
+    for (const MovedMorph& morph : blob_.morphs.meshes) boxes[morph.mesh].positions = kCorners;
     whole.meshes = boxes;
     return place_camera(options(), Units{}, radius_about_origin(whole));
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    if (!blob_.skins.empty()) {
-      PlayedClip played{.clip = clip_};
-      if (!blob_.clips.empty()) played.time = time_of_frame(blob_.clips[clip_].instances, frame, frames);
-      if (const Status posed = pose_clips(blob_.clips, {&played, 1}, blob_.moved); !posed) {
-        return Failure{ExitStatus::input, fmt::format("{} ms after its start the animation moves joint {} too far",
-                                                      played.time, posed.needed)};
-      }
+    PlayedClip played{.clip = clip_};
+    if (!blob_.clips.empty()) played.time = time_of_frame(blob_.clips[clip_].instances, frame, frames);
+    const auto refused = [&played](const std::string& what) {
+      return Failure{ExitStatus::input, fmt::format("{} ms after its start the animation {}", played.time, what)};
+    };
+    if (const Status posed = pose_clips(blob_.clips, {&played, 1}, blob_.moved); !posed) {
+      return refused(fmt::format("moves joint {} too far", posed.needed));
     }
-    return parts_.place({blob_.scene, chosen_camera(), animation(), turn()}, blob_.tree, frame, frames);
+    if (!pose_clips(blob_.clips, {&played, 1}, blob_.morphs)) return refused("has too large weights of morph targets");
+    Result<Staging> placed =
+        parts_.place({blob_.scene, chosen_camera(), animation(), turn()}, blob_.tree, frame, frames);
+    if (placed && !blob_.morphs.meshes.empty()) placed->version = frame + 1;
+    return placed;
   }
 
   std::unique_ptr<Stage> copy() const override {
@@ -107,8 +112,13 @@ class BlobStage : public CameraStage {
 
   const std::vector<std::string>& warnings() const override { return warnings_; }
   Animation animation() const override { return blob_.clips.empty() ? blob_.animation : blob_.clips[clip_].instances; }
-  bool bends() const override { return !blob_.skins.empty() && !joint_animation().tracks.empty(); }
+  bool bends() const override {
+    return (!blob_.skins.empty() && !joint_animation().tracks.empty()) || !weight_animation().tracks.empty();
+  }
   Animation joint_animation() const override { return blob_.clips.empty() ? Animation{} : blob_.clips[clip_].joints; }
+  WeightAnimation weight_animation() const override {
+    return blob_.clips.empty() ? WeightAnimation{} : blob_.clips[clip_].weights;
+  }
   /// With a camera from the options, the scene does not move if the motion is one around the blob's own camera.
   Turn turn() const override {
     if (blob_.turn.what == Turning::camera && options().placed()) return {.what = Turning::nothing};

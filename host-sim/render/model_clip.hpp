@@ -4,13 +4,15 @@
 #include <string>
 
 #include "motion/fitted_animation.hpp"
+#include "motion/fitted_weights.hpp"
 
 namespace zstrip::sim {
 
-/// Both parts last equally long; at least one of them has tracks.
+/// All parts last equally long; at least one of them has tracks.
 struct ModelClip {
   std::string name;  ///< may be empty
   FittedAnimation instances, joints;
+  FittedWeights weights;  ///< of morph targets
 };
 
 }  // namespace zstrip::sim

@@ -51,14 +51,15 @@ Result<ModelClip> fit_clip(const Model& model, const NodeAnimation& animation, c
   if (!instances) return fitted_failure(instances.failure(), animation, file);
   Result<FittedAnimation> joints = fit_joint_animation(model, animation);
   if (!joints) return fitted_failure(joints.failure(), animation, file);
-  return ModelClip{animation.name, std::move(*instances), std::move(*joints)};
+  Result<FittedWeights> weights = fit_weight_animation(model, animation);
+  if (!weights) return fitted_failure(weights.failure(), animation, file);
+  return ModelClip{animation.name, std::move(*instances), std::move(*joints), std::move(*weights)};
 }
 
 /// The animation that is shown, and whether it was chosen by its name.
 struct ModelMotion {
   ModelClip shown;
   bool is_chosen = false;
-  FittedWeights weights{};  ///< of morph targets
 };
 
 /// Returns the file's animation of this name, or its first one.
@@ -68,9 +69,7 @@ Result<ModelMotion> motion_of(const Model& model, const std::optional<std::strin
   if (*chosen == nullptr) return ModelMotion();
   Result<ModelClip> clip = fit_clip(model, **chosen, file);
   if (!clip) return clip.failure();
-  Result<FittedWeights> weights = fit_weight_animation(model, **chosen);
-  if (!weights) return fitted_failure(weights.failure(), **chosen, file);
-  return ModelMotion{std::move(*clip), name.has_value(), std::move(*weights)};
+  return ModelMotion{std::move(*clip), name.has_value()};
 }
 
 std::vector<std::string> names_of_built_in() {
@@ -139,7 +138,7 @@ class ModelStage : public CameraStage {
              const DefaultLook& look)
       : model_(std::move(model)),
         motion_(std::move(motion)),
-        skins_(*model_, motion_->shown.joints.view(), motion_->weights.view(), file),
+        skins_(*model_, motion_->shown.joints.view(), motion_->shown.weights.view(), file),
         instances_(model_->instances),
         lines_(model_->lines),
         lights_(model_->lights),
@@ -170,7 +169,7 @@ class ModelStage : public CameraStage {
   Result<Camera> camera(std::uint32_t frames) const override {
     const double degrees = options().field_of_view.value_or(kDefaultFieldOfView);
     const std::vector<Instance> poses = all_poses(animation(), model_->instances);
-    SkinnedMeshes skins(*model_, motion_->shown.joints.view(), motion_->weights.view(), file_);
+    SkinnedMeshes skins(*model_, motion_->shown.joints.view(), motion_->shown.weights.view(), file_);
     const Result<std::span<const Mesh>> posed = skins.all_poses();
     if (!posed) return posed.failure();
     Scene whole = scene_;
@@ -216,12 +215,13 @@ class ModelStage : public CameraStage {
       Result<ModelClip> clip = fit_clip(*model_, animation, file_);
       if (!clip) return clip.failure();
       const bool bends = !clip->joints.view().tracks.empty() && !model_->skins.empty();
-      if (bends || !clip->instances.view().tracks.empty()) clips.push_back(std::move(*clip));
+      const bool morphs = !clip->weights.view().tracks.empty() && !model_->morphs.empty();
+      if (bends || morphs || !clip->instances.view().tracks.empty()) clips.push_back(std::move(*clip));
       if (motion_->is_chosen) break;
     }
     return clips;
   }
-  WeightAnimation weight_animation() const override { return motion_->weights.view(); }
+  WeightAnimation weight_animation() const override { return motion_->shown.weights.view(); }
   Turn turn() const override { return bends() ? Turn{.what = Turning::nothing} : Turn{}; }
   Origins origins() const override {
     Origins origins{model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <sstream>
 
@@ -59,13 +60,15 @@ TEST_F(Bake, SkinsStandStillWithEdgesAndHaveNoOrderOfTriangles) {
   }
 }
 
-TEST_F(Bake, MorphTargetsMoveInHeadersAndStandStillInBlobs) {
+TEST_F(Bake, MorphTargetsMoveInHeadersAndBlobs) {
   const std::string cube = BAKE_MODELS "/morph_cube.gltf";
-  const Outcome blob = run(ZSTRIP_COMMAND, {"bake", cube, "-o", "cube.zsc", "--quiet"}, path(""));
-  EXPECT_EQ(blob.status, 0);
-  EXPECT_NE(blob.err.find("a blob has no morph targets"), std::string::npos) << blob.err;
-  EXPECT_EQ(crcs("cube.zsc", {}, 1), crcs(cube, {}, 1));
-  const Json baked = report({"bake", cube, "-o", "cube.hpp"});
+  const Json baked = report({"bake", cube, "-o", "cube.hpp"}), blob = report({"bake", cube, "-o", "cube.zsc"});
+  for (const char* part : {"moved_vertices", "weights"}) {
+    EXPECT_EQ(blob["plan"]["ram_bytes"][part], baked["plan"]["ram_bytes"][part]) << part;
+  }
+  for (const char* part : {"positions", "normals", "morphs", "keyframes"}) {
+    EXPECT_EQ(blob["flash_bytes"][part], baked["flash_bytes"][part]) << part;
+  }
   // 24 vertices of 6 and 4 bytes, a meshlet of 20; two weights of 2. The first target has 24 offsets of positions, the
   // second one as many of normals, too, of the faces that do not lean: 12 bytes for 8 vertices of the sides.
   EXPECT_EQ(baked["plan"]["ram_bytes"]["moved_vertices"], 24 * 10 + 20);
@@ -76,6 +79,27 @@ TEST_F(Bake, MorphTargetsMoveInHeadersAndStandStillInBlobs) {
   const Outcome refused =
       run(ZSTRIP_COMMAND, {"bake", cube, "-o", "refused.hpp", "--quiet", "--visibility", "painter-bsp"}, path(""));
   EXPECT_EQ(refused.status, 2) << refused.err;
+  const Outcome still =
+      run(ZSTRIP_COMMAND, {"bake", cube, "-o", "still.zsc", "--quiet", "--visibility", "painter-bsp"}, path(""));
+  EXPECT_EQ(still.status, 0) << still.err;
+  EXPECT_NE(still.err.find("with --visibility a blob has no skins and no morph targets"), std::string::npos);
+}
+
+TEST_F(Bake, BlobsWithMorphTargetsShowTheFramesOfTheirModels) {
+  for (const char* name : {"morph_cube", "morph_bending", "morph_face"}) {
+    const std::string model = std::string(BAKE_MODELS "/") + name + ".gltf";
+    const Outcome baked = run(ZSTRIP_COMMAND, {"bake", model, "-o", "scene.zsc", "--quiet"}, path(""));
+    ASSERT_EQ(baked.status, 0) << baked.err;
+    EXPECT_EQ(baked.err, "");
+    const std::vector<std::string> frames = crcs("scene.zsc", {}, 6);
+    EXPECT_EQ(frames, crcs(model, {}, 6)) << name;
+    EXPECT_GT(std::set<std::string>(frames.begin(), frames.end()).size(), 3U) << "it moves";
+  }
+  const std::string face = BAKE_MODELS "/morph_face.gltf";
+  for (const char* clip : {"puff", "nod"}) {
+    report({"bake", face, "-o", "scene.zsc", "--animation", clip});
+    EXPECT_EQ(crcs("scene.zsc", {}, 5), crcs(face, {"--animation", clip}, 5)) << clip;
+  }
 }
 
 // Its header named an effect that its scene does not have, and did not compile.
@@ -396,9 +420,9 @@ TEST_F(Bake, DamagedBlobsAreInputErrors) {
   flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
   expect(flipped, "is not a complete baked scene (byte 8)");
   std::string other = whole;
-  for (const int version : {3, 4, 6}) {
+  for (const int version : {3, 4, 7}) {
     other[2] = static_cast<char>(version);
-    expect(other, (std::to_string(version) + ", and this zstrip reads version 5; bake it again").c_str());
+    expect(other, (std::to_string(version) + ", and this zstrip reads version 6; bake it again").c_str());
     expect(other, "zstrip bake MODEL -o FILE.zsc");
   }
   std::vector<Piece> pieces = pieces_of({whole.begin(), whole.end()});

@@ -148,6 +148,17 @@ Bytes skin_bytes() {
   EXPECT_TRUE(bytes);
   return bytes ? *bytes : Bytes{};
 }
+SceneBlob morph_sample() {
+  SceneBlob blob = skin_sample();
+  blob.clips = kMorphClips;
+  blob.morphs.meshes = kMovedMorphs;
+  return blob;
+}
+Bytes morph_bytes() {
+  const Result<Bytes> bytes = to_scene_blob(morph_sample());
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
 Bytes turn_bytes() { return bytes_with_lines(kTurn, &kTurningCamera, effect::depth_24); }
 
 }  // namespace zstrip::sim::test

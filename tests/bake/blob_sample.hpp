@@ -157,11 +157,46 @@ inline constexpr Clip kClips[] = {
 inline constexpr std::size_t kSkinMemory =
     scene_blob_memory(2, 2) + character_memory({.skins = 2, .joints = 2, .clips = 2, .positions = 4, .normals = 4});
 
+// Morph targets of both meshes of the skins: two of the first one, also of normals, and one of the second one.
+inline constexpr MorphRun kMorphRuns[] = {{0, 1, 0}, {2, 2, 1}, {1, 1, 0}, {0, 4, 0}};
+inline constexpr MorphOffset kMorphOffsets[] = {{100, -200, 300}, {1, 2, 3}, {-32768, 4, 32767}, {5, 6, -7},
+                                                {8, 9, 10},       {0, 0, 1}, {-1, 0, 0},         {0, 300, 0}};
+inline constexpr NormalOffset kNormalOffsets[] = {{1, -2, 3}, {-128, 127, 0}, {4, 5, 6}};
+inline constexpr MorphTarget kMorphTargets[] = {
+    {.weight = 1,
+     .runs = std::span(kMorphRuns).first(2),
+     .positions = std::span(kMorphOffsets).first(3),
+     .normals = kNormalOffsets},
+    {.weight = 0, .runs = std::span(kMorphRuns).subspan(2, 1), .positions = std::span(kMorphOffsets).subspan(3, 1)},
+    {.weight = 2, .runs = std::span(kMorphRuns).subspan(3, 1), .positions = std::span(kMorphOffsets).subspan(4, 4)}};
+inline constexpr MovedMorph kMovedMorphs[] = {
+    {.morph = {&kBindMeshes[0], std::span(kMorphTargets).first(2)}, .vertices = {}, .mesh = 0},
+    {.morph = {&kBindMeshes[1], std::span(kMorphTargets).subspan(2)}, .vertices = {}, .mesh = 1}};
+inline constexpr WeightKey kWalkWeightKeys[] = {{0, 0}, {500, 4096}};
+inline constexpr WeightKey kWaveWeightKeys[] = {{7, -100}, {0, 4096}, {300, -2000}};
+inline constexpr Track kWalkWeights[] = {{.instance = 1, .count = 2, .first = 0}};
+inline constexpr Track kWaveWeights[] = {{.instance = 0, .count = 1, .first = 0},
+                                         {.instance = 2, .count = 2, .first = 1}};
+inline constexpr Clip kMorphClips[] = {{.name = "walk",
+                                        .instances = {kWalkInstances, kWalkKeys, 1000},
+                                        .joints = {kWalkJoints, kWalkKeys, 1000},
+                                        .weights = {kWalkWeights, kWalkWeightKeys, 1000}},
+                                       {.name = "wave",
+                                        .instances = {{}, {}, 700},
+                                        .joints = {kWaveJoints, kWaveKeys, 700},
+                                        .weights = {kWaveWeights, kWaveWeightKeys, 700}}};
+/// What morph_bytes() needs.
+inline constexpr std::size_t kMorphMemory =
+    kSkinMemory +
+    character_memory(
+        {.morphs = 2, .targets = 3, .weights = 3, .morphed_positions = 8, .morphed_normals = 4, .morphed_meshlets = 2});
+
 SceneBlob sample();
 SceneBlob skin_sample();
+SceneBlob morph_sample();
 /// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles; with kLines,
 /// kOutlines and kShadow; the same with kTurn and kTurningCamera, of a picture with depth as z24; with kEdgeSets; those
-/// of skin_sample().
+/// of skin_sample(); those of morph_sample(), which are both.
 Bytes sample_bytes();
 Bytes palette_bytes();
 Bytes tree_bytes();
@@ -169,6 +204,7 @@ Bytes lines_bytes();
 Bytes turn_bytes();
 Bytes edges_bytes();
 Bytes skin_bytes();
+Bytes morph_bytes();
 
 template <class Record>
 void expect_same_bytes(std::span<const Record> actual, std::span<const Record> expected) {

@@ -116,7 +116,7 @@ TEST(BoardPico2, ProgramThatShowsBakedScenesLeavesTheirPlaceAndNamesIt) {
   constexpr std::size_t kScene = 0x100000;
   EXPECT_LE(flash.size(), kScene);
   constexpr std::string_view kWords =
-      "no scene of version 5 at 10100000 in the flash. zstrip bake MODEL -o scene.uf2 --board pico2";
+      "no scene of version 6 at 10100000 in the flash. zstrip bake MODEL -o scene.uf2 --board pico2";
   EXPECT_NE(std::search(flash.begin(), flash.end(), kWords.begin(), kWords.end()), flash.end());
 }
 

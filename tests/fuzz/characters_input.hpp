@@ -1,20 +1,22 @@
-// Skins of a scene's meshes and the clips that move them, read from the fuzzer's bytes.
+// Skins and morph targets of a scene's meshes and the clips that move them, read from the fuzzer's bytes.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <string>
 #include <vector>
 
 #include "input.hpp"
 #include "zstrip/base/math.hpp"
 #include "zstrip/clips.hpp"
+#include "zstrip/morph.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/skin.hpp"
 
 namespace fuzz {
 
-/// Owns meshes, skins and clips. A zero byte: none, and the meshes are the scene's.
+/// Owns meshes, skins, morph targets and clips. A zero byte: none, and the meshes are the scene's.
 class CharactersInput {
  public:
   CharactersInput(const zstrip::Scene& scene, Input& input) : meshes_(scene.meshes.begin(), scene.meshes.end()) {
@@ -37,6 +39,7 @@ class CharactersInput {
       clips_[i].instances = {parts_[2 * i].tracks, parts_[2 * i].keyframes, duration};
       clips_[i].joints = {parts_[2 * i + 1].tracks, parts_[2 * i + 1].keyframes, duration};
     }
+    if (input.flag()) read_morphs(input);
   }
   CharactersInput(const CharactersInput&) = delete;
   CharactersInput& operator=(const CharactersInput&) = delete;
@@ -44,6 +47,7 @@ class CharactersInput {
   std::span<const zstrip::Mesh> meshes() const { return meshes_; }
   std::span<const zstrip::Skin> skins() const { return skins_; }
   std::span<const zstrip::Clip> clips() const { return clips_; }
+  std::span<const zstrip::MovedMorph> morphs() const { return morphs_; }
 
   /// Whether a blob of `scene`, which is valid and has these meshes, opens.
   bool valid(const zstrip::Scene& scene) const {
@@ -56,8 +60,11 @@ class CharactersInput {
     if (std::ranges::any_of(scene.csg, csg)) return false;
     const auto right = [](const zstrip::Skin& skin) { return static_cast<bool>(zstrip::validate(skin)); };
     if (!std::ranges::all_of(skins_, right)) return false;
+    const auto morphs = [](const zstrip::MovedMorph& mesh) { return static_cast<bool>(zstrip::validate(mesh.morph)); };
+    if (!std::ranges::all_of(morphs_, morphs)) return false;
     const auto instances = static_cast<std::uint32_t>(scene.instances.size());
     return std::ranges::all_of(clips_, [&](const zstrip::Clip& clip) {
+      if (!morphs_.empty() && !zstrip::validate(clip.weights, weights_)) return false;
       return clip.duration() != 0 && zstrip::validate(clip.instances, instances) &&
              zstrip::validate(clip.joints, skins_.empty() ? 0 : static_cast<std::uint32_t>(joints_.size()));
     });
@@ -113,6 +120,63 @@ class CharactersInput {
     skins_.push_back({.mesh = &mesh, .vertices = vertices_[index], .joints = joints_, .rest = rest_});
   }
 
+  /// A target's tables.
+  struct Offsets {
+    std::vector<zstrip::MorphRun> runs;
+    std::vector<zstrip::MorphOffset> positions;
+    std::vector<zstrip::NormalOffset> normals;
+  };
+
+  void read_morphs(Input& input) {
+    for (std::size_t i = 0; i < meshes_.size(); ++i) {
+      if (!input.flag()) continue;
+      zstrip::Mesh& mesh = meshes_[i];
+      const zstrip::Vec3& half = mesh.half_extent;
+      const zstrip::Fixed largest = std::max({half.x, half.y, half.z, 1});
+      mesh.half_extent = {largest, largest, largest};
+      if (!is_hostile_) mesh.billboard = zstrip::Billboard::none;
+      std::vector<zstrip::MorphTarget>& targets = targets_.emplace_back();
+      for (std::uint32_t count = (is_hostile_ ? 0U : 1U) + input.below(3); count > 0; --count) {
+        targets.push_back(read_target(mesh, input));
+      }
+      morphs_.push_back({.morph = {&mesh, targets}, .vertices = {}, .mesh = static_cast<std::uint16_t>(i)});
+    }
+    for (zstrip::Clip& clip : clips_) {
+      std::vector<zstrip::WeightKey>& keys = weight_keys_.emplace_back();
+      std::vector<zstrip::Track>& tracks = weight_tracks_.emplace_back();
+      for (std::uint32_t i = weights_ == 0 ? 0 : input.below(3); i > 0; --i) {
+        tracks.push_back({.instance = static_cast<std::uint16_t>(input.below(weights_ + (is_hostile_ ? 1 : 0))),
+                          .count = 2,
+                          .first = static_cast<std::uint32_t>(keys.size())});
+        keys.push_back({0, input.any<std::int16_t>()});
+        keys.push_back({is_hostile_ ? input.below(200) : 1 + input.below(200), input.any<std::int16_t>()});
+      }
+      clip.weights = {tracks, keys, clip.duration()};
+    }
+  }
+
+  zstrip::MorphTarget read_target(const zstrip::Mesh& mesh, Input& input) {
+    Offsets& offsets = offsets_.emplace_back();
+    const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
+    std::uint32_t next = 0;
+    for (std::uint32_t count = input.below(4); count > 0 && next < vertices; --count) {
+      zstrip::MorphRun run{.first_vertex = static_cast<std::uint16_t>(next + input.below(vertices - next)),
+                           .count = 1,
+                           .first_offset = static_cast<std::uint16_t>(offsets.positions.size())};
+      run.count = static_cast<std::uint16_t>(run.count + input.below(vertices - run.first_vertex));
+      next = run.first_vertex + std::uint32_t{run.count};
+      for (std::uint32_t i = 0; i < run.count; ++i) {
+        offsets.positions.push_back({input.any<std::int16_t>(), input.any<std::int16_t>(), input.any<std::int16_t>()});
+      }
+      if (is_hostile_ && input.flag()) run.first_offset = input.any<std::uint16_t>();
+      offsets.runs.push_back(run);
+    }
+    if (!mesh.normals.empty() && input.flag()) offsets.normals.assign(offsets.positions.size(), {50, -50, 127});
+    const auto weight = static_cast<std::uint16_t>(input.below(4));
+    weights_ = std::max(weights_, weight + 1U);
+    return {.weight = weight, .runs = offsets.runs, .positions = offsets.positions, .normals = offsets.normals};
+  }
+
   void read_tracks(Part& part, std::uint32_t moved, Input& input) const {
     for (std::uint32_t i = input.below(3); i > 0; --i) {
       zstrip::Track track{.instance = static_cast<std::uint16_t>(input.below(moved + (is_hostile_ ? 1 : 0))),
@@ -137,6 +201,12 @@ class CharactersInput {
   std::vector<std::vector<zstrip::VertexJoints>> vertices_;
   std::vector<Part> parts_;
   std::vector<zstrip::Clip> clips_;
+  std::uint32_t weights_ = 0;
+  std::deque<Offsets> offsets_;
+  std::deque<std::vector<zstrip::MorphTarget>> targets_;
+  std::deque<std::vector<zstrip::WeightKey>> weight_keys_;
+  std::deque<std::vector<zstrip::Track>> weight_tracks_;
+  std::vector<zstrip::MovedMorph> morphs_;
 };
 
 }  // namespace fuzz

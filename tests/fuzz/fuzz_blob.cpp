@@ -235,6 +235,8 @@ void judge_skins(const SceneBlob& content) {
       played.advance(passed, content.clips);
       pose_clips(content.clips, played.all(), content.scene.instances, instances);
     }
+    const Status morphed = pose_clips(content.clips, played.all(), content.morphs);
+    fuzz::require(morphed || morphed.error == Error::skin, "morph targets are refused as a skin");
     const Status posed = pose_clips(content.clips, played.all(), content.moved);
     fuzz::require(posed || posed.error == Error::skin, "a pose is refused as a skin");
     if (content.skins.empty()) continue;
@@ -268,6 +270,7 @@ void judge_written(const fuzz::SceneInput& input, const Scene& scene, const fuzz
                 "the same effects");
   for (const Skin& skin : opened.content.skins) fuzz::require(skin.mesh->skinning != nullptr, "a mesh has its skin");
   fuzz::require(opened.content.skins.size() == characters.skins().size(), "as many skins");
+  fuzz::require(opened.content.morphs.meshes.size() == characters.morphs().size(), "as many meshes that morph");
   const fuzz::Picture expected = fuzz::draw(scene, input.camera(), input.view(), {.effects = effects, .budget = {}});
   const fuzz::Picture got =
       fuzz::draw(opened.content.scene, opened.content.camera, opened.content.view, {.effects = read, .budget = {}});
@@ -361,7 +364,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                         .turning_camera = turns_another_camera == 1 ? &turning_camera : nullptr,
                         .effects = picture_effects,
                         .clips = characters.clips(),
-                        .skins = characters.skins()};
+                        .skins = characters.skins(),
+                        .morphs = {characters.morphs(), {}}};
   const auto written = sim::to_scene_blob(whole);
   fuzz::require(static_cast<bool>(written), "any scene can be written");
   if (kind == 0) {

@@ -49,7 +49,7 @@ TEST(PlayerErrors, OfBytesThatAreNoScene) {
   EXPECT_EQ(said(0, 100), "these bytes are no whole scene: byte 100 is wrong; bake it again");
   EXPECT_EQ(said(1, size - 1), "the scene does not lie at a multiple of 4: alignas(4)");
   lit.blob.memory.span()[2] = std::byte{4};
-  EXPECT_EQ(said(0, size), "the scene is of version 4, and version 5 is read: bake it again");
+  EXPECT_EQ(said(0, size), "the scene is of version 4, and version 6 is read: bake it again");
 }
 
 TEST(PlayerErrors, OfMemory) {

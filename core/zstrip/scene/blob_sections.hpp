@@ -13,6 +13,7 @@
 #include "zstrip/base/fixed.hpp"
 #include "zstrip/blob.hpp"
 #include "zstrip/camera.hpp"
+#include "zstrip/morph.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
@@ -131,6 +132,14 @@ struct SkinRecord {
   Range vertices;
   std::uint16_t mesh, unused;
 };
+struct MorphRecord {
+  Range targets;
+  std::uint16_t mesh, unused;
+};
+struct MorphTargetRecord {
+  Range runs, positions, normals;
+  std::uint16_t weight, unused;
+};
 struct TurnRecord {
   std::uint16_t still_instances;
   std::uint8_t what, unused;
@@ -139,7 +148,8 @@ static_assert(sizeof(Header) == 16 && sizeof(Section) == 12 && sizeof(MeshRecord
               sizeof(TextureRecord) == 12 && sizeof(LineRecord) == 64 && sizeof(EdgeRecord) == 12 &&
               sizeof(ImageRecord) == 24 && sizeof(FontRecord) == 28 && sizeof(LabelRecord) == 24 &&
               sizeof(BaseRecord) == 8 && sizeof(PictureRecord) == 8 && sizeof(TurnRecord) == 4 &&
-              sizeof(ClipRecord) == 28 && sizeof(SkinRecord) == 12);
+              sizeof(ClipRecord) == 28 && sizeof(SkinRecord) == 12 && sizeof(MorphRecord) == 12 &&
+              sizeof(MorphTargetRecord) == 28);
 
 /// The data of a SceneBlob whose form in the blob is different.
 struct Records {
@@ -173,6 +183,14 @@ struct Records {
   std::span<const JointPose> joint_rest;
   std::span<const Track> joint_tracks;
   std::span<const Keyframe> joint_keyframes;
+  std::span<const MorphRecord> morphs;
+  std::span<const MorphTargetRecord> morph_targets;
+  std::span<const MorphRun> morph_runs;
+  std::span<const MorphOffset> morph_offsets;
+  std::span<const NormalOffset> normal_offsets;
+  std::span<const Range> weight_ranges;  ///< tracks of weights of each clip
+  std::span<const Track> weight_tracks;
+  std::span<const WeightKey> weight_keys;
   const BaseRecord* base = nullptr;
   const Camera* camera = nullptr;
   const PictureRecord* picture = nullptr;
@@ -193,6 +211,7 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("CNAM"), records.clip_names);
   section(tag("COLR"), records.colours);
   section(tag("CSGO"), blob.scene.csg);
+  section(tag("CWGT"), records.weight_ranges);
   section(tag("EDGE"), records.edges);
   section(tag("ESET"), records.edge_sets);
   section(tag("FINI"), blob.scene.finishes);
@@ -210,6 +229,11 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("MATL"), blob.scene.materials);
   section(tag("MESH"), records.meshes);
   section(tag("MLET"), records.meshlets);
+  section(tag("MOFF"), records.morph_offsets);
+  section(tag("MOFN"), records.normal_offsets);
+  section(tag("MORF"), records.morphs);
+  section(tag("MRUN"), records.morph_runs);
+  section(tag("MTGT"), records.morph_targets);
   section(tag("NORM"), records.normals);
   section(tag("OCOL"), records.image_colours);
   section(tag("OCOV"), records.coverage);
@@ -232,6 +256,8 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("TRIA"), records.triangles);
   section(tag("TURN"), records.turn);
   section(tag("VJOI"), records.vertex_joints);
+  section(tag("WKEY"), records.weight_keys);
+  section(tag("WTRK"), records.weight_tracks);
   section(tag("tree"), blob.tree.nodes);
 }
 

@@ -1,4 +1,4 @@
-// Poses joints and instances by the clips that play.
+// Poses joints, morph targets and instances by the clips that play.
 #include "zstrip/clips.hpp"
 
 #include <algorithm>
@@ -58,6 +58,33 @@ Status pose_clips(std::span<const Clip> clips, std::span<const PlayedClip> playe
   for (Skinning& skinning : moved.skinnings) {
     const Status posed = pose_skin(skinning, moved.pose);
     if (status) status = posed;
+  }
+  return status;
+}
+
+Status pose_clips(std::span<const Clip> clips, std::span<const PlayedClip> played, const MovedMorphs& moved) {
+  const std::span<MorphWeight> weights = moved.weights;
+  std::fill(weights.begin(), weights.end(), MorphWeight{0});
+  if (clips.empty()) played = {};
+  for (std::size_t i = 0; i < played.size(); ++i) {
+    const WeightAnimation& animation = clips[played[i].clip].weights;
+    if (i == 0) {
+      pose(animation, played[i].time, weights);
+      continue;
+    }
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+      const MorphWeight before = weights[n];
+      weights[n] = 0;
+      for (const Track& track : animation.tracks) {
+        if (track.instance == n) pose({{&track, 1}, animation.keys, animation.duration}, played[i].time, weights);
+      }
+      weights[n] = static_cast<MorphWeight>(detail::between(before, weights[n], played[i].share()));
+    }
+  }
+  Status status;
+  for (const MovedMorph& mesh : moved.meshes) {
+    const Status morphed = morph_mesh(mesh.morph, weights, mesh.vertices);
+    if (status) status = morphed;
   }
   return status;
 }

@@ -59,7 +59,10 @@ static_assert(sizeof(Sprite) == 10 && offsetof(Sprite, image) == 4 && offsetof(S
 static_assert(sizeof(Joint) == 52 && offsetof(Joint, parent) == 48 && sizeof(VertexJoints) == 8 &&
               offsetof(VertexJoints, weights) == 4);
 static_assert(sizeof(JointPose) == 32 && offsetof(JointPose, translation) == 8 && offsetof(JointPose, scale) == 20);
-static_assert(sizeof(void*) != 4 || (sizeof(Skin) == 28 && sizeof(Skinning) == 112 && sizeof(Clip) == 44));
+static_assert(sizeof(void*) != 4 || (sizeof(Skin) == 28 && sizeof(Skinning) == 112 && sizeof(Clip) == 64));
+static_assert(sizeof(MorphRun) == 6 && sizeof(MorphOffset) == 6 && sizeof(NormalOffset) == 3 &&
+              sizeof(WeightKey) == 8 && offsetof(WeightKey, weight) == 4);
+static_assert(sizeof(void*) != 4 || (sizeof(MovedMorph) == 40 && sizeof(MorphTarget) == 28));
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 using blob_layout::Header;
@@ -194,7 +197,7 @@ Status check_envelope(std::span<const std::byte> blob) {
   if (blob.size() <= offsetof(Header, kind)) return damaged(blob.size());
   const Header& header = *reinterpret_cast<const Header*>(blob.data());
   if (header.kind != 's') return damaged(offsetof(Header, kind));
-  if (header.version != kSceneBlobVersion) {
+  if (header.version < kFirstSceneBlobVersion || header.version > kSceneBlobVersion) {
     return {.error = Error::blob_version, .needed = header.version, .available = kSceneBlobVersion};
   }
   if (blob.size() < sizeof(Header) || header.bytes > blob.size()) return damaged(blob.size());
@@ -333,20 +336,33 @@ const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memor
   return ::new (place) Overlay(overlay);
 }
 
-/// Counts what skins and clips need in the lent memory; the meshlets need not be valid.
+/// Counts what skins, clips and morph targets need in the lent memory; the meshlets need not be valid.
 CharacterCounts count_characters(Reader& reader, const Records& all) {
   CharacterCounts counts{.skins = static_cast<std::uint32_t>(all.skins.size()),
                          .joints = static_cast<std::uint32_t>(all.joints.size()),
-                         .clips = static_cast<std::uint32_t>(all.clips.size())};
+                         .clips = static_cast<std::uint32_t>(all.clips.size()),
+                         .morphs = static_cast<std::uint32_t>(all.morphs.size()),
+                         .targets = static_cast<std::uint32_t>(all.morph_targets.size())};
   reader.require(all.joints.size() <= kMaxJoints && (all.joints.empty() || !all.skins.empty()), all.joints.data());
   reader.require(all.clips.size() <= 0x10000, all.clips.data());
-  for (std::size_t i = 0; i < all.skins.size(); ++i) {
-    const blob_layout::SkinRecord& skin = all.skins[i];
-    // A mesh has at most one skin.
-    const bool is_next = skin.mesh < all.meshes.size() && (i == 0 || skin.mesh > all.skins[i - 1].mesh);
-    reader.require(is_next, &skin.mesh);
-    if (!is_next) break;
-    const MeshRecord& mesh = all.meshes[skin.mesh];
+  // A mesh has at most one skin, and one set of morph targets.
+  const auto is_next = [&]<class Record>(std::span<const Record> records, std::size_t i) {
+    const std::uint16_t& mesh = records[i].mesh;
+    const bool holds = mesh < all.meshes.size() && (i == 0 || mesh > records[i - 1].mesh);
+    reader.require(holds, &mesh);
+    return holds;
+  };
+  for (std::size_t i = 0; i < all.morphs.size() && is_next(all.morphs, i); ++i) {
+    const MeshRecord& mesh = all.meshes[all.morphs[i].mesh];
+    counts.morphed_positions += reader.some(all.positions, mesh.positions).size();
+    counts.morphed_normals += reader.some(all.normals, mesh.normals).size();
+    counts.morphed_meshlets += reader.some(all.meshlets, mesh.meshlets).size();
+  }
+  for (const blob_layout::MorphTargetRecord& target : all.morph_targets) {
+    counts.weights = std::max(counts.weights, target.weight + 1U);
+  }
+  for (std::size_t i = 0; i < all.skins.size() && is_next(all.skins, i); ++i) {
+    const MeshRecord& mesh = all.meshes[all.skins[i].mesh];
     std::uint32_t largest = mesh.meshlets.count == 0 ? mesh.positions.count : 0;
     for (const Meshlet& meshlet : reader.some(all.meshlets, mesh.meshlets)) {
       largest = std::max<std::uint32_t>(largest, meshlet.vertex_count);
@@ -357,7 +373,58 @@ CharacterCounts count_characters(Reader& reader, const Records& all) {
   return counts;
 }
 
-/// Reads skins and clips into `memory`. The scene must be valid, and its meshes lie in RAM.
+/// The tables and the memory of meshes with morph targets, in the lent memory.
+struct MorphMemory {
+  std::span<MovedMorph> morphs;
+  std::span<Mesh> bases;
+  std::span<MorphTarget> targets;
+  MovedVertices vertices;  ///< of all these meshes
+};
+
+/// Returns a copy of `from` in the first records of `free`, which loses them.
+template <class Record>
+std::span<Record> copied(std::span<const Record> from, std::span<Record>& free) {
+  const std::span<Record> copy = free.first(from.size());
+  std::copy(from.begin(), from.end(), copy.begin());
+  free = free.subspan(from.size());
+  return copy;
+}
+
+/// Reads morph targets, and lets the scene's meshes, which lie in RAM, have the vertices that they move.
+Status read_morphs(Reader& reader, const Records& all, MorphMemory memory, SceneBlob& found) {
+  found.morphs.meshes = memory.morphs;
+  std::uint32_t first_target = 0, first_run = 0;
+  for (std::size_t i = 0; i < memory.morphs.size(); ++i) {
+    const blob_layout::MorphRecord& record = all.morphs[i];
+    // Each mesh has targets of its own, and each target runs, so that all are checked in linear time.
+    reader.require(record.targets.first == first_target, &record.targets);
+    first_target += record.targets.count;
+    const std::span targets = reader.some(all.morph_targets, record.targets);
+    for (const blob_layout::MorphTargetRecord& target : targets) {
+      reader.require(target.runs.first == first_run, &target.runs);
+      first_run += target.runs.count;
+      memory.targets[static_cast<std::size_t>(&target - all.morph_targets.data())] = {
+          .weight = target.weight,
+          .runs = reader.some(all.morph_runs, target.runs),
+          .positions = reader.some(all.morph_offsets, target.positions),
+          .normals = reader.some(all.normal_offsets, target.normals)};
+    }
+    if (!reader.status()) return {};
+    Mesh& mesh = const_cast<Mesh&>(found.scene.meshes[record.mesh]);
+    memory.bases[i] = mesh;
+    MovedMorph& morph = memory.morphs[i];
+    morph = {
+        .morph = {&memory.bases[i], memory.targets.subspan(record.targets.first, record.targets.count)},
+        .vertices = {copied(mesh.positions, memory.vertices.positions), copied(mesh.normals, memory.vertices.normals),
+                     copied(mesh.meshlets, memory.vertices.meshlets)},
+        .mesh = record.mesh};
+    if (const Status status = validate(morph.morph); !status) return status;
+    mesh = moved_mesh(mesh, morph.vertices);
+  }
+  return {};
+}
+
+/// Reads skins, clips and morph targets into `memory`. The scene must be valid, and its meshes lie in RAM.
 Status read_characters(Reader& reader, const Records& all, const CharacterCounts& counts, std::byte* memory,
                        SceneBlob& found) {
   const auto take = [&memory]<class Object>(std::span<Object>& table, std::size_t count) {
@@ -371,13 +438,24 @@ Status read_characters(Reader& reader, const Records& all, const CharacterCounts
   std::span<Transform> matrices;
   std::span<Position> positions;
   std::span<Normal> normals;
+  MorphMemory morphs;
   take(skins, counts.skins);
   take(found.moved.skinnings, counts.skins);
   take(clips, counts.clips);
+  take(morphs.morphs, counts.morphs);
+  take(morphs.bases, counts.morphs);
+  take(morphs.targets, counts.targets);
   take(matrices, std::size_t{counts.skins} * counts.joints);
   take(found.moved.pose, counts.joints);
+  take(morphs.vertices.meshlets, static_cast<std::size_t>(counts.morphed_meshlets));
+  take(morphs.vertices.positions, static_cast<std::size_t>(counts.morphed_positions));
   take(positions, counts.positions);
+  take(found.morphs.weights, counts.weights);
   take(normals, counts.normals);
+  take(morphs.vertices.normals, static_cast<std::size_t>(counts.morphed_normals));
+  std::fill(found.morphs.weights.begin(), found.morphs.weights.end(), MorphWeight{0});
+  if (const Status status = read_morphs(reader, all, morphs, found); !status) return status;
+  if (!reader.status()) return {};
   found.skins = skins;
   found.clips = clips;
   const auto is_skin = [&found](std::uint32_t mesh) {
@@ -411,7 +489,9 @@ Status read_characters(Reader& reader, const Records& all, const CharacterCounts
   }
   const std::span<const Track> tracks = found.animation.tracks;
   const std::span<const Keyframe> keyframes = found.animation.keyframes;
-  std::uint32_t first_track = 0, first_joint_track = 0;
+  reader.require(all.weight_ranges.empty() || all.weight_ranges.size() == clips.size(), all.weight_ranges.data());
+  if (!reader.status()) return {};
+  std::uint32_t first_track = 0, first_joint_track = 0, first_weight_track = 0;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const blob_layout::ClipRecord& record = all.clips[i];
     reader.require(record.duration != 0, &record.duration);
@@ -426,10 +506,17 @@ Status read_characters(Reader& reader, const Records& all, const CharacterCounts
     clips[i] = {.name = ends ? name.data() : "",
                 .instances = {reader.some(tracks, record.tracks), keyframes, record.duration},
                 .joints = {reader.some(all.joint_tracks, record.joint_tracks), all.joint_keyframes, record.duration}};
+    if (!all.weight_ranges.empty()) {
+      const blob_layout::Range& weights = all.weight_ranges[i];
+      reader.require(weights.first == first_weight_track, &weights);
+      first_weight_track += weights.count;
+      clips[i].weights = {reader.some(all.weight_tracks, weights), all.weight_keys, record.duration};
+    }
     if (!reader.status()) return {};
     const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());
     if (const Status status = validate(clips[i].instances, instances); !status) return status;
     if (const Status status = validate(clips[i].joints, counts.joints); !status) return status;
+    if (const Status status = validate(clips[i].weights, counts.weights); !status) return status;
   }
   if (clips.empty()) return {};
   found.animation = clips[0].instances;

@@ -24,7 +24,7 @@ inline constexpr std::uint16_t kStripRows = 80;
 
 /// `zstrip bake` finds this text in a program that reads scenes of this version from this address. It is part of the
 /// message that the program shows if there is no scene.
-#define ZSTRIP_PICO_READS "scene of version 5 at 10100000"
+#define ZSTRIP_PICO_READS "scene of version 6 at 10100000"
 inline constexpr char kReads[] = ZSTRIP_PICO_READS;
 static_assert(kScene == 0x10100000);
 

@@ -7,6 +7,7 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/frame.hpp"
+#include "zstrip/state/digest.hpp"
 #include "zstrip_player/words.hpp"
 
 namespace zstrip {
@@ -52,9 +53,15 @@ std::int64_t distance_to_y(const Camera& camera) {
   return std::clamp<std::int64_t>(distance, 0, std::numeric_limits<Fixed>::max());
 }
 
-Status pose_blob(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances) {
+Status pose_blob(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances,
+                 std::uint32_t& weights) {
   if (!instances.empty()) pose_clips(blob.clips, played.all(), blob.scene.instances, instances);
-  return pose_clips(blob.clips, played.all(), blob.moved);
+  const Status morphed = pose_clips(blob.clips, played.all(), blob.morphs);
+  detail::Digest digest(1);
+  for (const MorphWeight weight : blob.morphs.weights) digest.add(std::int32_t{weight});
+  weights = digest.value();
+  const Status posed = pose_clips(blob.clips, played.all(), blob.moved);
+  return morphed ? posed : morphed;
 }
 
 Vec3 about_y(const Vec3& v, std::int32_t sine, std::int32_t cosine) {
@@ -112,7 +119,7 @@ bool Player::open(const void* blob, std::size_t size) {
   if (opened.error == Error::blob_memory) return fail(Fault::scene_memory, opened);
   if (!opened) return fail(Fault::scene, opened);
   take(baked_.memory_bytes);
-  if (!baked_.clips.empty() || !baked_.skins.empty()) pose_ = &pose_blob;
+  if (!baked_.clips.empty() || !baked_.skins.empty() || !baked_.morphs.meshes.empty()) pose_ = &pose_blob;
   used_open_ = used_;
   is_open_ = keeps_tables_ = true;
   return true;
@@ -358,7 +365,9 @@ bool Player::stage() {
   const Camera camera = placed_camera();
   staged_ = {baked_.scene, camera};
   if (pose_ != nullptr) {
-    if (const Status posed = pose_(baked_, played_, instances_); !posed) return fail(Fault::pose, posed);
+    const std::uint32_t before = weights_;
+    if (const Status posed = pose_(baked_, played_, instances_, weights_); !posed) return fail(Fault::pose, posed);
+    if (weights_ != before) ++version_;
   }
   const bool has_tracks = !baked_.animation.tracks.empty();
   if (!baked_.clips.empty()) {

@@ -279,12 +279,14 @@ class Player {
   std::size_t used_open_ = 0;  ///< bytes of memory_ that the open scene uses
   SceneBlob baked_{};          ///< the open scene
   PlayedClips played_{};       ///< of baked_.clips
-  /// Moves skins and instances by the clips that play. Null for scenes without skins and clips, so that programs with
-  /// headers do not link it.
-  Status (*pose_)(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances) = nullptr;
+  /// Moves skins, morph targets and instances by the clips that play, and sets a digest of the weights. Null for scenes
+  /// that have none of these, so that programs with headers do not link it.
+  Status (*pose_)(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances,
+                  std::uint32_t& weights) = nullptr;
   bool is_open_ = false, is_fitted_ = false, can_turn_ = false, keeps_tables_ = false;
 
-  std::uint32_t version_ = 0;  ///< of the fingerprints: grows with each fit(), and where tables change with each frame
+  std::uint32_t weights_ = 0;  ///< a digest of the weights of morph targets
+  std::uint32_t version_ = 0;  ///< of the fingerprints: grows with each fit(), and when tables or weights change
   DrawnWith drawn_with_{};
   detail::MethodFrameState state_{};
   View view_{};

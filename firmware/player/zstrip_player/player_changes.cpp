@@ -44,6 +44,9 @@ Rect Player::changed() {
   for (const LineSet& lines : staged_.scene.lines) scene.add_one(&lines.transform);
   const auto add_place = [this](Digest& digest, const Instance& instance) {
     digest.add_one(&instance.transform);
+    for (const MovedMorph& morph : baked_.morphs.meshes) {
+      if (morph.mesh == instance.mesh) digest.add(weights_);
+    }
     if (baked_.scene.meshes[instance.mesh].skinning == nullptr) return;
     for (const PlayedClip& played : played_.all()) {
       digest.add(played.time);

@@ -100,7 +100,7 @@ const char* Player::error() {
       words << "there is no clip " << status_.needed << ": the scene has "
             << static_cast<std::uint32_t>(baked_.clips.size()) << " clips";
       break;
-    case Fault::pose: words << "what joints move cannot be posed: " << message(status_.error); break;
+    case Fault::pose: words << "what joints or morph targets move cannot be posed: " << message(status_.error); break;
     case Fault::pick:
       if (status_.error == Error::view_size) {
         words << "the pixel is outside of the picture";
