@@ -125,4 +125,12 @@ inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 /// a Morph); and all errors of validate.
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened);
 
+/// Moves the morph targets and the joints of an open blob by the clips that play, as pose_clips of clips.hpp does for
+/// each, before the frame that shows them.
+inline Status pose_clips(const SceneBlob& blob, std::span<const PlayedClip> played) {
+  const Status morphed = pose_clips(blob.clips, played, blob.morphs);
+  const Status posed = pose_clips(blob.clips, played, blob.moved);
+  return morphed ? posed : morphed;
+}
+
 }  // namespace zstrip

@@ -66,12 +66,10 @@ bool SceneFile::can_turn(const Camera& camera) const {
 }
 
 scenes::BakedFrame SceneFile::staged(const Camera& camera, std::uint32_t frame, std::uint32_t frames) {
-  if (!blob_.skins.empty()) {
-    PlayedClip played{};
-    if (!blob_.clips.empty()) played.time = time_of_frame(blob_.clips[0].instances, frame, frames);
-    // A skin that cannot be posed is drawn as it was modelled; zstrip bake has tried many poses.
-    static_cast<void>(pose_clips(blob_.clips, {&played, 1}, blob_.moved));
-  }
+  PlayedClip played{};
+  if (!blob_.clips.empty()) played.time = time_of_frame(blob_.clips[0].instances, frame, frames);
+  // A skin that cannot be posed is drawn as it was modelled; zstrip bake has tried many poses.
+  static_cast<void>(pose_clips(blob_, {&played, 1}));
   if (frame % frames == 0 && blob_.animation.tracks.empty()) return {blob_.scene, camera};
   instances_.resize(blob_.scene.instances.size());
   lines_.resize(blob_.scene.lines.size());

@@ -74,7 +74,7 @@ void put_pixel(std::uint8_t* to, unsigned pixel) {
 /// Begins a frame of the clips that play.
 Status begin_clips(std::span<const PlayedClip> clips) {
   pose_clips(blob.clips, clips, blob.scene.instances, instances);
-  if (const Status posed = pose_clips(blob.clips, clips, blob.moved); !posed) return posed;
+  if (const Status posed = pose_clips(blob, clips); !posed) return posed;
   staged = {blob.scene, camera};
   staged.scene.instances = instances;
   return renderer->begin_frame(staged.scene, staged.camera, view, planned, arena);
@@ -86,7 +86,7 @@ Status begin(std::uint32_t frame) {
     at.time = time_of_frame(blob.clips[at.clip].instances, frame, frames);
     return begin_clips({&at, 1});
   }
-  if (const Status posed = pose_clips({}, {}, blob.moved); !posed) return posed;
+  if (const Status posed = pose_clips(blob, {}); !posed) return posed;
   const scenes::AtRest baked{blob.scene, camera, blob.animation, blob.turn};
   staged = {blob.scene, camera};
   if (frame % frames != 0 || !blob.animation.tracks.empty()) {

@@ -88,16 +88,6 @@ Result<Done> BlobCharacters::pose_all() {
   return Done{};
 }
 
-SkinRam BlobCharacters::ram() const {
-  SkinRam ram{.vertices = positions_.size() * sizeof(Position) + normals_.size() * sizeof(Normal),
-              .joints = pose_.size() * sizeof(JointPose) + matrices_.size() * sizeof(Transform),
-              .weights = weights_.size() * sizeof(MorphWeight)};
-  for (const Mesh& mesh : bases_) {
-    ram.vertices += mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.meshlets.size_bytes();
-  }
-  return ram;
-}
-
 std::uint64_t BlobCharacters::table_bytes() const {
   // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts these values on such targets.
   constexpr std::uint64_t kSkinBytes = 28, kSkinningBytes = 112, kClipBytes = 64, kMorphBytes = 40, kMeshBytes = 80,

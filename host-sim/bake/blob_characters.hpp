@@ -37,7 +37,7 @@ class BlobCharacters {
   std::span<const MovedMorph> morphs() const { return morphs_; }
 
   /// Returns the RAM of the vertices that move, of joints and of weights: parts of character_memory.
-  SkinRam ram() const;
+  SkinRam ram() const { return skin_ram(skinnings_, pose_.size(), morphs_, weights_.size()); }
   /// Returns the bytes of the tables with addresses of 32 bits: the rest of character_memory.
   std::uint64_t table_bytes() const;
   /// Returns the bytes of all keyframes and tracks in the blob.

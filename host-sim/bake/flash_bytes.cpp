@@ -1,6 +1,7 @@
 // Computes the flash of a scene, by kind of data, and the RAM of its skins and morph targets.
 #include "bake/flash_bytes.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -97,6 +98,23 @@ SkinRam skin_ram(const BakedSkins& skins) {
     if (skins.find(morph.mesh) == nullptr) add(morph.base);
   }
   if (!skins.morphs.empty()) ram.weights = skins.weights * sizeof(MorphWeight);
+  return ram;
+}
+
+SkinRam skin_ram(std::span<const Skinning> skinnings, std::size_t joints, std::span<const MovedMorph> morphs,
+                 std::size_t weights) {
+  SkinRam ram{.joints = joints * sizeof(JointPose), .weights = weights * sizeof(MorphWeight)};
+  std::uint64_t positions = 0, normals = 0;  // of a meshlet, which all skins share
+  for (const Skinning& skinning : skinnings) {
+    positions = std::max<std::uint64_t>(positions, skinning.positions.size_bytes());
+    normals = std::max<std::uint64_t>(normals, skinning.normals.size_bytes());
+    ram.joints += skinning.matrices.size_bytes();
+  }
+  ram.vertices = positions + normals;
+  for (const MovedMorph& morph : morphs) {
+    const MovedVertices& vertices = morph.vertices;
+    ram.vertices += vertices.positions.size_bytes() + vertices.normals.size_bytes() + vertices.meshlets.size_bytes();
+  }
   return ram;
 }
 

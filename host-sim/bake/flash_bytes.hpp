@@ -1,10 +1,13 @@
 // Computes the flash of a scene, by kind of data, and the RAM of its skins and morph targets.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "bake/baked_scene.hpp"
 #include "zstrip/animation.hpp"
+#include "zstrip/clips.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
 
@@ -49,5 +52,8 @@ struct SkinRam {
   std::uint64_t total() const { return vertices + joints + weights; }
 };
 SkinRam skin_ram(const BakedSkins& skins);
+/// Returns the RAM of an open blob, without its tables: the rest of character_memory.
+SkinRam skin_ram(std::span<const Skinning> skinnings, std::size_t joints, std::span<const MovedMorph> morphs,
+                 std::size_t weights);
 
 }  // namespace zstrip::sim

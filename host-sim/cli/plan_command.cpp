@@ -135,6 +135,11 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   choice->flash_bytes =
       flash_bytes(prepared->staging().scene, (*stage)->animation(), prepared->staging().tree, skins_of(**stage))
           .total();
+  const SceneBlob* const blob = (*stage)->blob();
+  choice->moved_bytes = (blob == nullptr ? skin_ram(skins_of(**stage))
+                                         : skin_ram(blob->moved.skinnings, blob->moved.pose.size(), blob->morphs.meshes,
+                                                    blob->morphs.weights.size()))
+                            .total();
   choice->depth = advice;
   write_text(stdout, arguments.json ? plan_json(arguments.scene, *request, *choice)
                                     : plan_table(arguments.scene, *request, *choice));  // main checks the stream

@@ -48,7 +48,6 @@ class BlobStage : public CameraStage {
   BlobStage& operator=(const BlobStage&) = delete;
 
   std::span<const std::uint8_t> bytes() const { return bytes_; }
-  const SceneBlob& blob() const { return blob_; }
 
   Status open() {
     Status status = open_with(0);
@@ -111,6 +110,7 @@ class BlobStage : public CameraStage {
   }
 
   const std::vector<std::string>& warnings() const override { return warnings_; }
+  const SceneBlob* blob() const override { return &blob_; }
   Animation animation() const override { return blob_.clips.empty() ? blob_.animation : blob_.clips[clip_].instances; }
   bool bends() const override {
     return (!blob_.skins.empty() && !joint_animation().tracks.empty()) || !weight_animation().tracks.empty();
@@ -165,7 +165,7 @@ Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const Ca
 Result<BakedPicture> picture_of_blob(const std::string& path) {
   const Result<std::unique_ptr<BlobStage>> stage = open(path);
   if (!stage) return stage.failure();
-  return BakedPicture{(*stage)->blob().view, (*stage)->blob().effects};
+  return BakedPicture{(*stage)->blob()->view, (*stage)->blob()->effects};
 }
 
 }  // namespace zstrip::sim

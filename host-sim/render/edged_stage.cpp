@@ -33,6 +33,7 @@ class EdgedStage : public Stage {
   Turn turn() const override { return stage_->turn(); }
   Origins origins() const override { return stage_->origins(); }
   const Model* model() const override { return stage_->model(); }
+  const SceneBlob* blob() const override { return stage_->blob(); }
 
  private:
   std::unique_ptr<Stage> stage_;

@@ -14,6 +14,7 @@
 #include "render/model_clip.hpp"
 #include "result.hpp"
 #include "zstrip/animation.hpp"
+#include "zstrip/blob.hpp"
 #include "zstrip/camera.hpp"
 #include "zstrip/morph.hpp"
 #include "zstrip/scene.hpp"
@@ -60,6 +61,8 @@ class Stage {
   virtual Origins origins() const { return {}; }
   /// Returns the imported file; null for other scenes.
   virtual const Model* model() const { return nullptr; }
+  /// Returns the baked scene; null for other scenes.
+  virtual const SceneBlob* blob() const { return nullptr; }
 };
 
 /// Returns the duration of all frames: of the scene's animation, or else of a rotation, which has a default duration.

@@ -149,7 +149,10 @@ std::string bake_summary(const BakeRecord& record) {
       return bytes > 0 ? fmt::format(", {} for the {}", grouped(bytes), of) : std::string();
     };
     text += fmt::format("             and {} {}for the vertices that {} move{}{}\n", counted(skin.vertices, "byte"),
-                        record.lent_bytes ? "to lend " : "", skin.joints > 0 ? "joints" : "morph targets",
+                        record.lent_bytes ? "to lend " : "",
+                        skin.joints == 0    ? "morph targets"
+                        : skin.weights == 0 ? "joints"
+                                            : "joints and morph targets",
                         part(skin.joints, "joints"), part(skin.weights, "weights of morph targets"));
   }
   if (record.method) {

@@ -189,6 +189,10 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
   text += fmt::format(
       "{:>10}  {:<12} {}\n", grouped(chosen.total_bytes), "total",
       request.budget.bytes == 0 ? "no limit given" : fmt::format("of {} allowed", grouped(request.budget.bytes)));
+  if (choice.moved_bytes != 0) {
+    text += fmt::format("{:>10}  {:<12} vertices that move, joints and weights, in addition\n",
+                        grouped(choice.moved_bytes), "moved");
+  }
   text += fmt::format("{:>10}  {:<12} of the scene; a program adds its code\n", grouped(choice.flash_bytes), "flash");
   text += curve(choice, request.view);
   if (choice.depth) text += depth_table(*choice.depth);
@@ -237,6 +241,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                    {"longest_meshlet", choice.counts.longest_meshlet}}},
                  {"estimate_leaves_out", left_out_of_estimates(choice.effects)},
                  {"flash_bytes", choice.flash_bytes},
+                 {"moved_bytes", choice.moved_bytes},
                  {"boards", rates_json(request, choice)},
                  {"plan", to_object(choice.chosen, request.budget.layer)},
                  {"curve", curve},

@@ -66,6 +66,11 @@ TEST_F(Bake, MorphTargetsMoveInHeadersAndBlobs) {
   for (const char* part : {"moved_vertices", "weights"}) {
     EXPECT_EQ(blob["plan"]["ram_bytes"][part], baked["plan"]["ram_bytes"][part]) << part;
   }
+  for (const char* scene : {cube.c_str(), "cube.zsc"}) {
+    const Outcome planned = zstrip({"plan", scene, "--json"});
+    ASSERT_EQ(planned.status, 0) << planned.err;
+    EXPECT_EQ(Json::parse(planned.out)["moved_bytes"], 24 * 10 + 20 + 4) << scene;
+  }
   for (const char* part : {"positions", "normals", "morphs", "keyframes"}) {
     EXPECT_EQ(blob["flash_bytes"][part], baked["flash_bytes"][part]) << part;
   }

@@ -16,7 +16,7 @@ tar -C "$scratch/node_modules/zstrip" --strip-components 1 -xzf "$scratch"/zstri
 cp "$root/tests/package/npm.mjs" "$scratch"
 
 cd "$scratch"
-for scene in knot room "$root"/host-sim/scenes/{fog.toml,overlay.toml,shading.toml,csg.toml,figure/figure.gltf}; do
+for scene in knot room "$root"/host-sim/scenes/{fog.toml,overlay.toml,shading.toml,csg.toml,figure/figure.gltf} "$root"/tests/bake/models/morph_face.gltf; do
   name=$(basename "${scene%.*}")
   "$zstrip" bake "$scene" -o "scenes/$name.zsc" --size 160x120 --turntable --quiet
   "$zstrip" render "scenes/$name.zsc" --size 160x120 --frames 3 --image raw -o "scenes/$name" --quiet

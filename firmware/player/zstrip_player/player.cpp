@@ -56,12 +56,11 @@ std::int64_t distance_to_y(const Camera& camera) {
 Status pose_blob(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances,
                  std::uint32_t& weights) {
   if (!instances.empty()) pose_clips(blob.clips, played.all(), blob.scene.instances, instances);
-  const Status morphed = pose_clips(blob.clips, played.all(), blob.morphs);
+  const Status posed = pose_clips(blob, played.all());
   detail::Digest digest(1);
   for (const MorphWeight weight : blob.morphs.weights) digest.add(std::int32_t{weight});
   weights = digest.value();
-  const Status posed = pose_clips(blob.clips, played.all(), blob.moved);
-  return morphed ? posed : morphed;
+  return posed;
 }
 
 Vec3 about_y(const Vec3& v, std::int32_t sine, std::int32_t cosine) {
