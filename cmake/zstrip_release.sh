@@ -4,6 +4,8 @@
 #   packages    zstrip-VERSION.tar.gz and .zip, for Arduino, PlatformIO, ESP-IDF and Zephyr
 #   debian      libzstrip-dev_VERSION_ARCHITECTURE.deb and zstrip_VERSION_ARCHITECTURE.deb
 #   npm         zstrip-npm-VERSION.tgz
+#   rust        zstrip-rust-VERSION.tar.gz
+#   micropython zstrip-micropython-VERSION.tar.gz
 #   pico        zstrip_pico_*.uf2 and zstrip_pico2_*.uf2
 #   playground  zstrip-playground-VERSION.tar.gz, which has the programs of the part pico in it
 #   site        zstrip-site-VERSION.tar.gz, the documents, with the playground
@@ -12,10 +14,10 @@
 # 2 by default. URL is written into the files that name an address.
 # Exit status 1 if a part cannot be made or does not work; 2 for wrong words.
 set -euo pipefail
-parts=(packages debian npm pico playground site)
+parts=(packages debian npm rust micropython pico playground site)
 say() { printf 'release: %s\n' "$*" >&2; }
 usage() {
-  sed -n '2,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  sed -n '2,16s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 }
 
@@ -73,16 +75,31 @@ if wants packages; then
 fi
 
 if wants debian; then
-  configure host -DZSTRIP_FIRMWARE=OFF -DZSTRIP_COMPILE_TOGETHER=host-sim
+  configure host -DZSTRIP_FIRMWARE=OFF -DZSTRIP_COMPILE_TOGETHER=host-sim -DCMAKE_INSTALL_PREFIX=/usr
   quietly "the command and libraries for Debian" cmake --build "$build/host" --parallel "$jobs"
   rm -rf "$build/host/packages"
   quietly "packages for Debian" cpack --config "$build/host/CPackConfig.cmake" -G DEB -B "$build/host/packages"
   cp "$build"/host/packages/*.deb "$folder"
+  if command -v lintian >/dev/null; then
+    quietly "Debian's rules for packages" lintian --allow-root --fail-on error,warning "$folder"/*.deb
+  else
+    say "lintian is not installed: nothing looks whether the packages keep Debian's rules"
+  fi
 fi
 
 if wants npm; then
   quietly "the package for pages" bash "$root/cmake/zstrip_package_npm.sh" "$build/npm" ${url:+"$url"}
   cp "$build/npm/zstrip-npm-$version.tgz" "$folder"
+fi
+
+if wants rust; then
+  quietly "the crate for Rust" bash "$root/cmake/zstrip_package_rust.sh" "$build/rust" ${url:+"$url"}
+  cp "$build/rust/zstrip-rust-$version.tar.gz" "$folder"
+fi
+
+if wants micropython; then
+  quietly "the module for MicroPython" bash "$root/cmake/zstrip_package_micropython.sh" "$build/micropython"
+  cp "$build/micropython/zstrip-micropython-$version.tar.gz" "$folder"
 fi
 
 # pico BOARD CPU

@@ -5,7 +5,7 @@
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 build=$2 version=$3 compiler=$4
-for tool in cpack dpkg-deb dpkg-shlibdeps pkg-config cmake cc; do
+for tool in cpack dpkg-deb dpkg-shlibdeps dpkg-parsechangelog pkg-config cmake cc gzip; do
   command -v "$tool" >/dev/null || { echo "$tool is not installed"; exit 77; }
 done
 scratch=$(mktemp -d)
@@ -21,7 +21,18 @@ library=$(echo "$scratch"/packages/libzstrip-dev_"${version}"_*.deb)
 command=$(echo "$scratch"/packages/zstrip_"${version}"_*.deb)
 system=$scratch/system
 dpkg-deb -x "$library" "$system"
-[ -s "$system/usr/share/doc/libzstrip-dev/copyright" ] || complain "libzstrip-dev has no copyright"
+# documented PACKAGE ARCHIVE FILE...: what Debian's rules ask for that lintian would miss (cmake/zstrip_release.sh).
+documented() {
+  local package=$1 file
+  dpkg-deb -f "$2" Maintainer | grep -qE '^[^<]+ <[^@ ]+@[^@ ]+>$' || complain "$package has a maintainer without an address"
+  for file in "share/doc/$package/copyright" "share/doc/$package/changelog.gz" "${@:3}"; do
+    [ -s "$system/usr/$file" ] || complain "$package has no $file"
+  done
+  gzip -dc "$system/usr/share/doc/$package/changelog.gz" >"$scratch/changelog"
+  dpkg-parsechangelog -l "$scratch/changelog" -S Version | grep -qxF "$version" ||
+    complain "$package has a changelog of another version, or none that dpkg can read"
+}
+documented libzstrip-dev "$library"
 [ "$(dpkg-deb -f "$library" Version)" = "$version" ] || complain "libzstrip-dev is of another version"
 if [ -n "$(find "$system" -type f ! -path '*/usr/*')" ]; then complain "libzstrip-dev has files outside of /usr"; fi
 
@@ -71,6 +82,10 @@ players() {
 
 if [ -e "$command" ]; then
   dpkg-deb -x "$command" "$system"
+  documented zstrip "$command" share/man/man1/zstrip{,-any,-measure}.1.gz
+  while read -r name; do
+    gzip -dc "$system/usr/share/man/man1/zstrip.1.gz" | grep -qE "^\.BR? .*\b$name\b" || complain "zstrip.1 has no '$name'"
+  done < <("$system/usr/bin/zstrip" --help | sed -n '/^Subcommands/,/^Examples/s/^  \([a-z]*\) .*/\1/p')
   [ "$("$system/usr/bin/zstrip" --version)" = "zstrip $version" ] || complain "the command does not run"
   "$system/usr/bin/zstrip" render knot --size 64x64 -o "$scratch/knot.png" --quiet || complain "the command does not draw"
   players

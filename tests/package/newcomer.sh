@@ -96,6 +96,42 @@ JS
   same by_npm.raw "a program of Node.js with the package of npm"
 }
 
+# The crate is built as cargo would, without cargo.
+rust() {
+  local archive feature crate=$scratch/rust/crate variables=() flags=()
+  archive=$(file 'zstrip-rust-*.tar.gz') || return 0
+  missing rustc g++ ar && return
+  [ -n "$zstrip" ] || return 0
+  mkdir -p "$crate" rust/out
+  tar -C "$crate" --strip-components 1 -xzf "$archive"
+  for feature in $(sed -n 's/^default = \[\(.*\)\]/\1/p' "$crate/Cargo.toml" | tr -d '",' | tr '[:lower:]' '[:upper:]'); do
+    variables+=("CARGO_FEATURE_$feature=1")
+  done
+  if (
+    cd rust
+    rustc --edition 2021 "$crate/build.rs" -o build_script
+    env "${variables[@]}" TARGET="$(rustc --version --verbose | sed -n 's/^host: //p')" CXX=g++ CXXFLAGS=-O1 \
+      CARGO_MANIFEST_DIR="$crate" OUT_DIR="$PWD/out" NUM_JOBS=2 ./build_script >said
+    read -r -a flags <<<"$(sed -n -e 's/^cargo:rustc-link-search=/-L /p' -e 's/^cargo:rustc-link-lib=/-l /p' said | tr '\n' ' ')"
+    rustc --edition 2021 -O --crate-type rlib --crate-name zstrip "${flags[@]}" "$crate/src/lib.rs"
+    rustc --edition 2021 -O --extern zstrip=libzstrip.rlib "$crate/examples/picture.rs"
+  ); then
+    rust/picture scene/scene.zsc 160 120 1 >by_rust.raw || true
+  fi
+  same by_rust.raw "a program with the crate for Rust"
+}
+
+micropython() {
+  local archive name
+  archive=$(file 'zstrip-micropython-*.tar.gz') || return 0
+  mkdir micropython
+  tar -C micropython --strip-components 1 -xzf "$archive"
+  for name in micropython.mk micropython.cmake zstrip_module.c pipeline.cpp cpp/zstrip_player.h LICENSE; do
+    [ -s "micropython/$name" ] || complain "the module for MicroPython has no $name"
+  done
+  echo "not tried, because no release of MicroPython is in it: the module for MicroPython"
+}
+
 pico() {
   local board
   for board in pico pico2; do
@@ -145,6 +181,8 @@ pages() {
 debian
 packages
 npm
+rust
+micropython
 pico
 sources
 pages
