@@ -245,6 +245,24 @@ TEST(PlayerChanges, NothingOutsideOfTheRectangleDiffers) {
   }
 }
 
+/// The label pointed at the text itself, so that strips of one frame had different texts.
+TEST(PlayerAreas, ATextThatIsSetDuringAFrameIsInTheNextOne) {
+  Fitted shown("teapot_meshlets", PixelFormat::rgb565, {.strip_rows = 8});
+  Player& player = shown.player;
+  player.show_text("first");
+  const std::vector<std::byte> expected = picture_of(player);
+  ASSERT_TRUE(player.begin());
+  (void)player.changed();
+  player.show_text("second", true);
+  player.play(0);
+  std::vector<std::byte> seen(expected.size());
+  ASSERT_TRUE(player.draw_area({0, 0, kWidth, kHeight}, seen, 2U * kWidth)) << player.error();
+  EXPECT_EQ(seen, expected);
+  EXPECT_TRUE(player.changed().empty()) << "of the same frame";
+  ASSERT_TRUE(player.begin());
+  EXPECT_FALSE(player.changed().empty());
+}
+
 /// A fan and a robot move in a room.
 TEST(PlayerChanges, ARectangleOfInstancesIsSmallerThanThatOfTheScene) {
   std::size_t pixels[2]{};

@@ -165,6 +165,20 @@ TEST(PlayerClips, ChangeTheirRectangle) {
   }
 }
 
+/// Time that passes between the begin of a frame and changed() belongs to the next frame.
+TEST(PlayerClips, TheirRectangleIsThatOfTheFrameThatWasBegun) {
+  Figure figure;
+  ASSERT_TRUE(figure.open_and_fit()) << figure.player.error();
+  Player& player = figure.player;
+  player.play(0);
+  ASSERT_TRUE(player.begin());
+  (void)player.changed();
+  player.play(200);
+  EXPECT_TRUE(player.changed().empty());
+  ASSERT_TRUE(player.begin());
+  EXPECT_FALSE(player.changed().empty());
+}
+
 TEST(PlayerClips, StopAtTheirEndOrRepeat) {
   Figure figure;
   ASSERT_TRUE(figure.open_and_fit()) << figure.player.error();

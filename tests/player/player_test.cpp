@@ -1,6 +1,7 @@
 // The player draws what a renderer draws: in any memory that is enough, at any time, on any display.
 #include "baked.hpp"
 #include "zstrip/base/math.hpp"
+#include "zstrip_hal/changed_tiles.hpp"
 
 namespace zstrip::test {
 namespace {
@@ -371,6 +372,69 @@ TEST(Player, TextIsBesideTheOverlayOfTheScene) {
   overlay.fonts = fonts;
   overlay.labels = labels;
   EXPECT_EQ(screen.pixels, drawn_directly(blob, screen, {.overlay = &overlay}));
+}
+
+using Changes = hal::ChangedTiles<hal::Framebuffer, 100>;
+
+/// Versions of fingerprints began with 0 in each player, so that strips of the scene before were left out.
+TEST(PlayerChangedTiles, AnotherPlayerDrawsOtherBytesAtTheAddressOfABlob) {
+  Blob blob = blob_of("teapot_meshlets");
+  Screen screen(120, 90, hal::PixelFormat::rgb565);
+  Changes changes(screen.display);
+  Memory memory(100'000);
+  for (const bool other : {false, true}) {
+    if (other) {
+      SceneBlob opened;
+      Memory tables(1 << 16);
+      ASSERT_TRUE(open_scene_blob(blob.memory.span(), tables.span(), opened));
+      const std::span<const Position> positions = opened.scene.meshes[0].positions;
+      for (const Position& each : positions) const_cast<Position&>(each).x = static_cast<std::int16_t>(each.x / 2);
+      const std::uint32_t sum = crc32(blob.memory.span().subspan(12));
+      for (std::size_t i = 0; i < 4; ++i) blob.memory.span()[8 + i] = static_cast<std::byte>(sum >> 8 * i);
+    }
+    Player player(memory.span(), drawn_with_any);
+    ASSERT_TRUE(player.open(blob.data(), blob.size()) && player.fit(changes, {.strip_rows = 16})) << player.error();
+    ASSERT_TRUE(player.draw(changes)) << player.error();
+    EXPECT_EQ(screen.pixels, drawn_directly(blob, screen)) << other;
+  }
+}
+
+/// The same with constants, of which a player is made for each frame; or there are two at a time.
+TEST(PlayerChangedTiles, AnotherPlayerDrawsConstantsThatChanged) {
+  Position corners[]{{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}};
+  constexpr Triangle kTriangles[]{{0, 1, 2}};
+  const Mesh mesh{
+      .positions = corners, .normals = {}, .colours = {}, .texcoords = {}, .triangles = kTriangles, .meshlets = {}};
+  const Material material{.colour = {255, 0, 0, 255}, .lit = false};
+  const Instance instance{};
+  const Scene scene{
+      .meshes = {&mesh, 1}, .materials = {&material, 1}, .textures = {}, .instances = {&instance, 1}, .lights = {}};
+  const View view{120, 90};
+  Screen screen(120, 90, hal::PixelFormat::rgb565), whole(120, 90, hal::PixelFormat::rgb565);
+  Changes changes(screen.display);
+  Memory memories[]{Memory(100'000), Memory(100'000)};
+  const auto move = [&] { corners[2].x = static_cast<std::int16_t>(corners[2].x + 3'000); };
+  const auto draw = [&](Player& player, auto& display) { ASSERT_TRUE(player.draw(display)) << player.error(); };
+  const auto open = [&](Player& player) {
+    ASSERT_TRUE(player.open({scene, Camera{}, {}, {}}, view) && player.fit(changes, {.strip_rows = 16}));
+  };
+  for (int frame = 0; frame < 3; ++frame, move()) {
+    Player player(memories[0].span(), drawn_with_any);
+    open(player);
+    draw(player, changes);
+    draw(player, whole.display);
+    EXPECT_EQ(screen.pixels, whole.pixels) << frame;
+  }
+  Player one(memories[0].span(), drawn_with_any), other(memories[1].span(), drawn_with_any);
+  open(one), open(other);
+  for (int frame = 0; frame < 4; ++frame) {
+    for (Player* player : {&one, &other}) {
+      move();
+      draw(*player, changes);
+    }
+    draw(one, whole.display), draw(other, whole.display);
+    EXPECT_EQ(screen.pixels, whole.pixels) << frame;
+  }
 }
 
 TEST_F(PlayerOfTeapot, OpensAndFitsAgain) {

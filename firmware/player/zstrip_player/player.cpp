@@ -7,6 +7,7 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/frame.hpp"
+#include "zstrip/scene/blob_sections.hpp"
 #include "zstrip/state/digest.hpp"
 #include "zstrip_player/words.hpp"
 
@@ -61,6 +62,16 @@ Status pose_blob(const SceneBlob& blob, const PlayedClips& played, std::span<Ins
   for (const MorphWeight weight : blob.morphs.weights) digest.add(std::int32_t{weight});
   weights = digest.value();
   return posed;
+}
+
+std::uint32_t digest_of(const PlayedClips& played) {
+  detail::Digest digest(1);
+  for (const PlayedClip& each : played.all()) {
+    digest.add(each.time);
+    digest.add(std::uint32_t{each.clip});
+    digest.add(each.share());
+  }
+  return digest.value();
 }
 
 Vec3 about_y(const Vec3& v, std::int32_t sine, std::int32_t cosine) {
@@ -118,6 +129,7 @@ bool Player::open(const void* blob, std::size_t size) {
   if (opened.error == Error::blob_memory) return fail(Fault::scene_memory, opened);
   if (!opened) return fail(Fault::scene, opened);
   take(baked_.memory_bytes);
+  checksum_ = static_cast<const blob_layout::Header*>(blob)->checksum;
   if (!baked_.clips.empty() || !baked_.skins.empty() || !baked_.morphs.meshes.empty()) pose_ = &pose_blob;
   used_open_ = used_;
   is_open_ = keeps_tables_ = true;
@@ -136,6 +148,7 @@ bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
             .animation = scene.animation,
             .turn = scene.turn};
   is_open_ = true;
+  checksum_ = 0;
   keeps_tables_ = false;
   return true;
 }
@@ -199,6 +212,7 @@ bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat form
   used_ = used_open_;
   fault_ = Fault::none;
   ++version_;
+  was_drawn_ = false;
   if (!is_open_) return fail(Fault::not_open);
   view_ = {width, height, format, baked_.view.dither, baked_.view.samples};
   if (!valid_size_and_format(view_)) return fail(Fault::plan, {.error = Error::view_size});
@@ -355,7 +369,7 @@ void Player::add_text() {
   std::copy_n(own.labels.begin(), labels, labels_.begin());
   fonts_[fonts] = font_;
   labels_[labels] = {
-      .text = text_, .x = 2, .y = 2, .font = static_cast<std::uint16_t>(fonts), .background = {0, 0, 0, 255}};
+      .text = staged_text_, .x = 2, .y = 2, .font = static_cast<std::uint16_t>(fonts), .background = {0, 0, 0, 255}};
   overlay_ = {own.images, fonts_.first(fonts + 1), own.sprites, labels_.first(labels + 1)};
   staged_.scene.overlay = &overlay_;
 }
@@ -363,10 +377,10 @@ void Player::add_text() {
 bool Player::stage() {
   const Camera camera = placed_camera();
   staged_ = {baked_.scene, camera};
+  std::ranges::copy(text_, staged_text_);
   if (pose_ != nullptr) {
-    const std::uint32_t before = weights_;
     if (const Status posed = pose_(baked_, played_, instances_, weights_); !posed) return fail(Fault::pose, posed);
-    if (weights_ != before) ++version_;
+    staged_pose_ = digest_of(played_);
   }
   const bool has_tracks = !baked_.animation.tracks.empty();
   if (!baked_.clips.empty()) {
@@ -378,7 +392,7 @@ bool Player::stage() {
                             {.instances = instances_, .lines = lines_});
   }
   if (has_background_) staged_.scene.background = background_;
-  if (text_[0] == 0) return true;
+  if (staged_text_[0] == 0) return true;
   missing_ = effect::overlay;
   if (labels_.empty()) return fail(Fault::effects);
   add_text();
@@ -394,6 +408,25 @@ bool Player::begin() {
   if (!keeps_tables_) ++version_;
   const Status begun = drawn_with_.pipeline.begin_frame(state_, staged_.scene, staged_.camera, view_, plan_, arena_);
   return begun || fail(Fault::frame, begun);
+}
+
+/// Returns false if what is drawn for the first time since fit() has tables that may change: the frame before may be
+/// another player's, of the same version.
+bool Player::knows_tables() {
+  const bool was_drawn = was_drawn_;
+  was_drawn_ = true;
+  return was_drawn || keeps_tables_;
+}
+
+/// Returns a version for fingerprints, which do not read tables. It differs for other bytes at the address of a blob,
+/// for tables that another player may have drawn before they changed, and for other effects.
+std::uint32_t Player::tables_version() const {
+  detail::Digest digest(checksum_);
+  digest.add(version_);
+  digest.add(weights_);
+  if (!keeps_tables_) digest.add(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(this)));
+  digest.add(static_cast<std::int64_t>(drawn_with_.effects.bits));
+  return digest.value();
 }
 
 bool Player::pick(ChoosePick choose, std::uint16_t x, std::uint16_t y, Picked& picked) {

@@ -129,8 +129,8 @@ class Player {
     Strips strips{*this};
     // Methods may keep something for the next frame.
     if constexpr (hal::RemembersStrips<Panel>) {
-      if (drawn_with_.effects.methods == 0) {
-        KnownStrips<Panel::kStrips> known{{*this}, {Frame(state_), staged_.camera, version_}};
+      if (drawn_with_.effects.methods == 0 && knows_tables()) {
+        KnownStrips<Panel::kStrips> known{{*this}, {Frame(state_), staged_.camera, tables_version()}};
         return present(known, panel);
       }
     }
@@ -253,6 +253,8 @@ class Player {
     return end(shown.draw, shown.display);
   }
 
+  bool knows_tables();
+  std::uint32_t tables_version() const;
   Status draw_into(std::uint16_t strip, std::span<std::byte> pixels) {
     kept_strip_ = kNoStrip;
     return drawn_with_.pipeline.draw_strip(state_, strip, pixels);
@@ -284,9 +286,11 @@ class Player {
   Status (*pose_)(const SceneBlob& blob, const PlayedClips& played, std::span<Instance> instances,
                   std::uint32_t& weights) = nullptr;
   bool is_open_ = false, is_fitted_ = false, can_turn_ = false, keeps_tables_ = false;
+  bool was_drawn_ = false;  ///< since fit(), on a display that remembers strips
 
-  std::uint32_t weights_ = 0;  ///< a digest of the weights of morph targets
-  std::uint32_t version_ = 0;  ///< of the fingerprints: grows with each fit(), and when tables or weights change
+  std::uint32_t checksum_ = 0;  ///< of the open blob; 0: constants are open
+  std::uint32_t weights_ = 0;   ///< a digest of the weights of morph targets, of the frame that was begun last
+  std::uint32_t version_ = 0;   ///< grows with each fit(), and where tables change with each frame
   DrawnWith drawn_with_{};
   detail::MethodFrameState state_{};
   View view_{};
@@ -296,6 +300,7 @@ class Player {
   std::span<Instance> instances_{};
   std::span<LineSet> lines_{};
   scenes::BakedFrame staged_{};
+  std::uint32_t staged_pose_ = 0;  ///< a digest of the times of clips, of the frame that was begun last
 
   std::uint32_t time_ = 0, now_ = 0, second_began_ = 0;
   bool has_clock_ = false, held_ = false;
@@ -317,7 +322,8 @@ class Player {
   Font font_{};
   static constexpr std::size_t kMaxText = 24;
   char text_[kMaxText + 16]{};
-  std::uint8_t text_size_ = 0;  ///< without the rate
+  char staged_text_[kMaxText + 16]{};  ///< of the frame that was begun last
+  std::uint8_t text_size_ = 0;         ///< without the rate
   bool has_rate_ = false;
 
   Fault fault_ = Fault::none;

@@ -34,8 +34,10 @@ Rect Player::changed() {
   if (!is_open_ || !is_fitted_ || state_.scene == nullptr) return {};
   Digest picture(1), scene(1);
   picture.add(staged_.scene.background);
-  for (const char letter : text_) picture.add(std::int32_t{letter});
-  picture.add_one(&font_);
+  if (staged_text_[0] != 0) {
+    for (const char letter : staged_text_) picture.add(std::int32_t{letter});
+    picture.add_one(&overlay_.fonts.back());
+  }
   const Camera& camera = staged_.camera;
   for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) scene.add(vector);
   scene.add(camera.focal);
@@ -47,12 +49,7 @@ Rect Player::changed() {
     for (const MovedMorph& morph : baked_.morphs.meshes) {
       if (morph.mesh == instance.mesh) digest.add(weights_);
     }
-    if (baked_.scene.meshes[instance.mesh].skinning == nullptr) return;
-    for (const PlayedClip& played : played_.all()) {
-      digest.add(played.time);
-      digest.add(std::uint32_t{played.clip});
-      digest.add(played.share());
-    }
+    if (baked_.scene.meshes[instance.mesh].skinning != nullptr) digest.add(staged_pose_);
   };
   const bool each = !seen_instances_.empty() && !reaches_far_;
   Rect moved{};
