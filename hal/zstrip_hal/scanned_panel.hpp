@@ -26,7 +26,7 @@ struct ScanLayout {
   PixelFormat format = PixelFormat::rgb565;  ///< format of the controller's memory, and of the pixels of write()
 };
 
-/// The time in microseconds in which a controller asks for the next strip, at most.
+/// The time in microseconds between two requests of a controller, at most.
 inline constexpr std::uint32_t kMaxScanMicroseconds = 100'000;
 
 /// Serves the requests of a controller's interrupt. Every strip must be drawn in every refresh of the panel, each in
@@ -121,8 +121,10 @@ class ScannedPanel {
   }
 
   /// Waits for the request of a strip. While frames are in step with the panel, that is the request after the last one.
+  /// A controller that asks for others alone in several refreshes has another layout.
   Error take(std::uint16_t strip, std::span<std::byte>& buffer) {
-    constexpr std::uint32_t kStep = 2;
+    constexpr std::uint32_t kStep = 2, kMaxRefreshes = 4;
+    std::uint32_t others = 0;  // requests for other strips
     for (std::uint32_t waited = 0; waited <= kMaxScanMicroseconds; clock_.wait(kStep), waited += kStep) {
       const std::uint32_t asked = asked_.load(std::memory_order_acquire);
       if (asked == taken_) continue;
@@ -134,8 +136,10 @@ class ScannedPanel {
       if (asked_.load(std::memory_order_relaxed) != asked) continue;  // the interrupt may be writing a newer one
       const bool is_next = asked == taken_ + 1 && wanted == strip;
       taken_ = asked;
+      waited = 0;
       if (wanted >= strips()) return stop(Error::strip_layout);
       if (is_in_step_ && !is_next) return stop(Error::underrun);
+      if (wanted != strip && ++others > kMaxRefreshes * strips()) return stop(Error::strip_layout);
       if (wanted != strip) continue;
       if (bytes < bytes_of(strip)) return stop(Error::pixels_too_small);
       is_in_step_ = true;

@@ -257,6 +257,44 @@ TEST(PanelScanned, TheFirstStripHasTheBlankingIfTheSecondIsAskedForAtItsEnd) {
   }
 }
 
+/// A clock whose controller asks for strips, one every 30 ms, of which the first is `first`.
+struct SlowController {
+  std::uint16_t first, strips;
+  std::function<void(std::span<std::byte>, std::uint16_t)> ask{};
+  std::vector<std::byte> buffers = std::vector<std::byte>(std::size_t{2} * 2 * 34 * 4);
+  std::uint32_t passed = 0, asked = 0;
+  void wait(std::uint32_t microseconds) {
+    for (passed += microseconds; passed >= 30'000; passed -= 30'000) {
+      const std::span<std::byte> half = std::span(buffers).subspan(asked % 2 * buffers.size() / 2, buffers.size() / 2);
+      ask(half, static_cast<std::uint16_t>((first + asked++) % strips));
+    }
+  }
+};
+struct PlainStrips {
+  ScanStatus draw_strip(std::uint16_t /*strip*/, std::span<std::byte> pixels) const {
+    std::ranges::fill(pixels, std::byte{0x21});
+    return {};
+  }
+};
+
+/// The time-out was that of all requests until the one for the first strip, 150 ms here.
+TEST(PanelScanned, ASlowRefreshIsNotATimeOut) {
+  SlowController controller{1, 6};
+  hal::ScannedPanel<SlowController> driver(controller, {.width = 34, .height = 22, .rows = 4});
+  controller.ask = [&](std::span<std::byte> buffer, std::uint16_t strip) { driver.ask(buffer, strip); };
+  PlainStrips strips;
+  EXPECT_TRUE(hal::present(strips, driver, hal::StripLayout{6, 4}));
+  EXPECT_EQ(controller.asked, 11U);
+}
+
+TEST(PanelScanned, AControllerThatNeverAsksForTheFirstStripHasAnotherLayout) {
+  SlowController controller{0, 1};
+  hal::ScannedPanel<SlowController> driver(controller, {.width = 34, .height = 22, .rows = 4});
+  controller.ask = [&](std::span<std::byte> buffer, std::uint16_t strip) { driver.ask(buffer, strip); };
+  std::vector<std::byte> pixels(std::size_t{2} * 34 * 4);
+  EXPECT_EQ(driver.write({0, 4, 34, 4}, pixels), Error::strip_layout) << "only strip 0 is asked for";
+}
+
 /// A renderer's error does not stop the refreshes.
 TEST(PanelScanned, AFrameThatCannotBeDrawnIsReportedAndTheNextIsRight) {
   struct Broken {
