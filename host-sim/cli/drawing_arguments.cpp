@@ -22,17 +22,14 @@ View panel_view(const PanelRequest& panel) {
 }
 
 /// Some panels accept only whole groups of rows, others only whole rows.
-Result<Done> fit_strips_to_panel(Drawing& drawing) {
+Result<Done> check_strips_of_panel(const Drawing& drawing) {
   const std::uint16_t step = row_step(*drawing.panel);
   if (drawing.panel->bus == BusKind::rgb && (drawing.budget.strip_columns != 0 || drawing.budget.split_columns)) {
     return usage(fmt::format("--{}: a {} is read row by row, and takes strips of its width",
                              drawing.budget.split_columns ? "split-columns" : "strip-columns",
                              drawing.panel->kind->name));
   }
-  if (step == 1) return Done{};
-  if (drawing.budget.strip_rows == 0) {
-    drawing.budget.strip_rows = drawing.budget.bytes == 0 ? drawing.view.height : step;
-  } else if (drawing.budget.strip_rows % step != 0) {
+  if (drawing.budget.strip_rows % step != 0) {
     return usage(fmt::format("--strip-rows {}: a {} takes multiples of {} rows", drawing.budget.strip_rows,
                              drawing.panel->kind->name, step));
   }
@@ -126,7 +123,7 @@ Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSe
   drawing.ram_limit = *ram_limit;
   drawing.budget.strip_buffers = drawing.panel ? 2 : usual_strip_buffers(arguments.memory);
   if (drawing.panel) {
-    if (const Result<Done> fitted = fit_strips_to_panel(drawing); !fitted) return fitted.failure();
+    if (const Result<Done> fitted = check_strips_of_panel(drawing); !fitted) return fitted.failure();
   }
   const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility, settings.visibility);
   if (!visibility) return visibility.failure();

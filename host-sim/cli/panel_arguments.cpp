@@ -16,6 +16,7 @@
 #include "render/picture_display.hpp"
 #include "report/frame_record.hpp"
 #include "text/text.hpp"
+#include "zstrip_hal/scanned_panel.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -57,6 +58,11 @@ Result<Bus> parse_bus(const std::string& text, const PanelKind& kind) {
   const Result<double> hertz = parse_bus_hertz(text);
   if (!hertz) return hertz.failure();
   bus.cycle = Nanoseconds(std::llround(1e9 / *hertz));
+  if (const Nanoseconds longest = longest_cycle(bus.kind); longest != 0ns && bus.cycle > longest) {
+    return usage(fmt::format("--bus {}: the {} has to read a strip within {} ms, which takes at least {:.0f}kHz", text,
+                             kind.name, hal::kMaxScanMicroseconds / 1000,
+                             std::ceil(1e6 / static_cast<double>(longest.count()))));
+  }
   return bus;
 }
 
@@ -81,7 +87,9 @@ Result<PanelModule> parse_module(const std::string& size, const PanelKind& kind,
   }
   return usage(fmt::format("--size {}: {} on the {} are {}{}", size, sideways ? "rotated pictures" : "pictures",
                            kind.name, fmt::join(sizes, ", "),
-                           sideways ? "" : "; --rotation 90 or 270 exchanges width and height"));
+                           !sideways && has_orientation(kind, {hal::Rotation::by_90, false})
+                               ? "; --rotation 90 or 270 exchanges width and height"
+                               : ""));
 }
 
 Result<hal::PixelFormat> parse_panel_format(const std::string& text, const PanelKind& kind) {

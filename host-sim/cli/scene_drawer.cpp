@@ -68,7 +68,7 @@ Result<SceneDrawer> SceneDrawer::open(const Drawing& drawing, std::unique_ptr<St
     Result<std::unique_ptr<SimulatedPanel>> panel = start_panel(*drawing.panel);
     if (!panel) return panel.failure();
     drawer.panel_ = std::move(*panel);
-    drawer.renderer_.show_on(*drawer.panel_);
+    drawer.renderer_.show_on(*drawer.panel_, row_step(*drawing.panel));
   }
   return drawer;
 }

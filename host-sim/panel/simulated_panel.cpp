@@ -352,6 +352,15 @@ bool has_orientation(const PanelKind& kind, const hal::Orientation& orientation)
   return (traits.exchanges || !scan.exchanged) && (traits.reverses_rows || !scan.rows_reversed);
 }
 
+Nanoseconds longest_cycle(BusKind bus) {
+  if (bus != BusKind::rgb) return 0ns;
+  // A strip and the blanking are read between two requests.
+  RgbTimings timings = kRgbTimings480x272;
+  timings.pixel = 1ns;
+  return std::chrono::microseconds(hal::kMaxScanMicroseconds) /
+         ((RgbPanel::kRows + timings.rows.total()) * timings.row_time().count());
+}
+
 std::uint16_t row_step(const PanelRequest& request) {
   const bool sideways = is_sideways(request.orientation);
   const std::string_view name = request.kind->name;

@@ -100,6 +100,9 @@ std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request);
 /// Returns false if the controller cannot rotate or mirror a picture so.
 bool has_orientation(const PanelKind& kind, const hal::Orientation& orientation);
 
+/// Returns the longest cycle of a bus with which no driver gives up waiting; 0: any.
+Nanoseconds longest_cycle(BusKind bus);
+
 /// Returns the number of rows whose multiples are the borders of strips; the picture's last row may end a strip, too.
 std::uint16_t row_step(const PanelRequest& request);
 

@@ -84,6 +84,20 @@ std::uint32_t checksum(std::span<const std::byte> pixels) {
       crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(pixels.data()), pixels.size()));
 }
 
+/// Plans within the budget, which gets the bytes and rows that are needed.
+PlanResult FrameRenderer::plan_within(Budget& budget, const SceneCounts& counts, Effects effects) const {
+  const auto plan_with = [&](std::uint16_t rows) {
+    budget.strip_rows = rows;
+    budget = with_enough_ram(counts, view_, effects, budget, ram_limit_);
+    return plan(counts, view_, effects, budget);
+  };
+  const PlanResult planned = plan_with(budget.strip_rows);
+  const int rows = planned.plan.strip_rows / row_step_ * row_step_;
+  if (planned.status && rows == planned.plan.strip_rows) return planned;
+  if (row_step_ == 1 || budget.strip_rows != 0) return planned;
+  return plan_with(static_cast<std::uint16_t>(std::min<int>(std::max<int>(rows, row_step_), view_.height)));
+}
+
 Result<FrameReport> FrameRenderer::render(const Staging& original) {
   const Result<PreparedScene> prepared = PreparedScene::of(original, method_);
   if (!prepared) return prepared.failure();
@@ -94,11 +108,9 @@ Result<FrameReport> FrameRenderer::render(const Staging& original) {
   Budget budget = budget_;
   if (temporal_) budget.modes = Modes::streamed;
   const SceneCounts counts = count(staging.scene);
-  budget = with_enough_ram(counts, view_, effects, budget, ram_limit_);
-  const auto [status, plan] = zstrip::plan(counts, view_, effects, budget);
+  const auto [status, plan] = plan_within(budget, counts, effects);
   if (status.error == Error::arena_too_small) {
-    // A panel may require a number of rows.
-    return too_little_memory(status, staging.scene, view_, effects, budget_, panel_ == nullptr);
+    return too_little_memory(status, staging.scene, view_, effects, budget, row_step_ == 1);
   }
   if (status.error == Error::unplannable) {
     return Failure{ExitStatus::usage, fmt::format("{}; ask for larger strips", message(status.error))};

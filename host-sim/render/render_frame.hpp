@@ -59,14 +59,16 @@ class FrameRenderer {
   Result<FrameReport> render(const Staging& staging, const Plan& plan);
 
   /// From now on also shows frames on `panel`, which has the view's size and format: strip by strip from two buffers
-  /// alternately, on one thread. The panel must outlive the renderer.
-  void show_on(SimulatedPanel& panel) { panel_ = &panel; }
+  /// alternately, on one thread. Strips that are planned have a multiple of `row_step` rows. The panel must outlive the
+  /// renderer.
+  void show_on(SimulatedPanel& panel, std::uint16_t row_step = 1) { panel_ = &panel, row_step_ = row_step; }
 
   /// Returns the pixels of the last frame.
   std::span<const std::byte> pixels() const { return display_.pixels(); }
   const View& view() const { return view_; }
 
  private:
+  PlanResult plan_within(Budget& budget, const SceneCounts& counts, Effects effects) const;
   Result<Done> draw(const Staging& staging, const Effects& effects, FrameReport& report);
   Result<Done> draw_on_threads(const Staging& staging, const Effects& effects, FrameReport& report);
 
@@ -80,6 +82,7 @@ class FrameRenderer {
   std::vector<std::uint32_t> seen_;
   PictureDisplay display_;
   SimulatedPanel* panel_ = nullptr;
+  std::uint16_t row_step_ = 1;
   struct Memory {
     std::vector<std::uint64_t> arena;  ///< 8-byte words: kArenaAlignment
     std::vector<std::uint64_t> strip;

@@ -117,6 +117,27 @@ TEST_F(PanelCommand, AnRgbPanelTakesARefreshForEachFrame) {
   EXPECT_NE(slow.err.find("the pixel clock has 167 ns"), std::string::npos) << slow.err;
 }
 
+// Strips of panels that take groups of rows had one group, whatever the RAM.
+TEST_F(PanelCommand, StripsOfGroupsOfRowsAreAsHighAsTheRamAllows) {
+  const auto rows = [&](const char* panel, const char* ram) {
+    const Outcome outcome = zstrip({"-o", "a.png", "--panel", panel, "--ram", ram, "--json", "-", "--quiet"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out)["frames"][0]["strip_rows"].get<int>();
+  };
+  for (const auto& [panel, step] : {std::pair{"co5300", 2}, {"sh8601", 2}, {"ssd1306", 8}, {"st7262", 8}}) {
+    const int least = rows(panel, "30K"), most = rows(panel, "200K");
+    EXPECT_EQ(least % step, 0) << panel;
+    EXPECT_EQ(most % step, 0) << panel;
+    EXPECT_GE(most, std::string(panel) == "ssd1306" ? least : least + 4 * step) << panel;
+  }
+  EXPECT_EQ(rows("ssd1306", "200K"), 64);
+}
+
+TEST_F(PanelCommand, ASizeIsNotAdvisedToBeRotatedWhereThePanelCannot) {
+  EXPECT_EQ(zstrip({"--panel", "st7262", "--size", "480x100"}).err.find("--rotation"), std::string::npos);
+  EXPECT_NE(zstrip({"--panel", "st7789", "--size", "480x100"}).err.find("--rotation"), std::string::npos);
+}
+
 TEST_F(PanelCommand, WithChangesTheSameFramesTakeFewerBytes) {
   for (const char* panel : {"st7789", "gc9a01", "ssd1351", "ssd1306"}) {
     const auto report = [&](const char* folder, const std::vector<std::string>& more) {
@@ -159,6 +180,7 @@ TEST_F(PanelCommand, SaysWhatCannotBeAndWhatIsNearest) {
       {{"--panel", "st7735", "--bus", "spi@40"}, "spi@40MHz"},
       {{"--panel", "st7735", "--rotation", "91"}, "0, 90, 180 or 270"},
       {{"--panel", "st7735", "--size", "160x128"}, "128x160"},
+      {{"--panel", "st7262", "--bus", "rgb@1kHz"}, "--bus rgb@1khz: the st7262 has to read a strip within 100 ms"},
       {{"--panel", "ili9341", "--format", "rgb444"}, "rgb565_swapped or rgb666"},
       {{"--panel", "st7789", "--size", "135x240", "--format", "rgb444"}, "an even width (or rotation 90, 270)"},
       {{"--panel", "ssd1306", "--strip-rows", "12"}, "multiples of 8"},
