@@ -18,7 +18,7 @@ namespace {
 constexpr zstrip_pipeline kAnyPipeline{drawn_with_any};
 constexpr zstrip_picker kAnyPicker{pick_with_any};
 
-TEST(LvZstripBoard, SendsThePixelsOfTheHostOnACortexM3WithLittleMemory) {
+TEST(LvglWidgetBoard, SendsThePixelsOfTheHostOnACortexM3WithLittleMemory) {
   boards::Qemu board({.machine = "mps2-an385", .program = LVGL_PROGRAM, .words = {"gauge"}});
   const auto [output, status] = board.finish(boards::Qemu::Duration(300'000));
   ASSERT_EQ(status, 0) << output;

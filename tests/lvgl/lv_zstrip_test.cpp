@@ -99,7 +99,7 @@ constexpr lv_color_format_t kFormats[] = {LV_COLOR_FORMAT_RGB565, LV_COLOR_FORMA
 constexpr lv_display_render_mode_t kModes[] = {LV_DISPLAY_RENDER_MODE_PARTIAL, LV_DISPLAY_RENDER_MODE_DIRECT,
                                                LV_DISPLAY_RENDER_MODE_FULL};
 
-TEST(LvZstrip, ShowsThePlayersPixelsInEveryFormatAndMode) {
+TEST(LvglWidget, ShowsThePlayersPixelsInEveryFormatAndMode) {
   const Wanted wanted("robot", 300);
   for (const lv_color_format_t format : kFormats) {
     for (const lv_display_render_mode_t mode : kModes) {
@@ -114,7 +114,7 @@ TEST(LvZstrip, ShowsThePlayersPixelsInEveryFormatAndMode) {
   }
 }
 
-TEST(LvZstrip, LeavesOutTheBackgroundInEveryFormatAndMode) {
+TEST(LvglWidget, LeavesOutTheBackgroundInEveryFormatAndMode) {
   for (const char* name : {"teapot_meshlets", "overlay"}) {
     const Wanted wanted(name, 500, Colour{0x20, 0x40, 0x60, 255});
     for (const lv_color_format_t format : kFormats) {
@@ -132,7 +132,7 @@ TEST(LvZstrip, LeavesOutTheBackgroundInEveryFormatAndMode) {
 }
 
 /// What lies between the parent and the model is seen around the model.
-TEST(LvZstrip, ShowsWhatIsBehindIt) {
+TEST(LvglWidget, ShowsWhatIsBehindIt) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   lv_obj_t* const behind = lv_obj_create(lv_screen_active());
   lv_obj_remove_style_all(behind);
@@ -159,7 +159,7 @@ TEST(LvZstrip, ShowsWhatIsBehindIt) {
 }
 
 /// LVGL's pieces of a screen do not begin where strips do: the strip that reaches into the next piece is kept.
-TEST(LvZstrip, DrawsEachStripOnce) {
+TEST(LvglWidget, DrawsEachStripOnce) {
   for (const int rows : {5, 12, 13, 120}) {
     for (const bool transparent : {false, true}) {
       Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL, rows);
@@ -174,7 +174,7 @@ TEST(LvZstrip, DrawsEachStripOnce) {
   }
 }
 
-TEST(LvZstrip, RedrawsOnlyWhatMoved) {
+TEST(LvglWidget, RedrawsOnlyWhatMoved) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("home", 200'000);
   lv_obj_t* const widget = widget_on_screen(scene, false);
@@ -203,7 +203,7 @@ TEST(LvZstrip, RedrawsOnlyWhatMoved) {
   EXPECT_LT(screen.flushed().height(), 30);
 }
 
-TEST(LvZstrip, PlaysByLvglsClock) {
+TEST(LvglWidget, PlaysByLvglsClock) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("clips", 200'000);
   lv_obj_t* const widget = widget_on_screen(scene, false);
@@ -227,7 +227,7 @@ TEST(LvZstrip, PlaysByLvglsClock) {
   EXPECT_LT(lv_zstrip_get_time(widget), 8000U) << "the motion takes 8 seconds";
 }
 
-TEST(LvZstrip, FadesFromOneClipToAnother) {
+TEST(LvglWidget, FadesFromOneClipToAnother) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("figure", 200'000);
   lv_obj_t* const widget = widget_on_screen(scene, false);
@@ -274,7 +274,7 @@ TEST(LvZstrip, FadesFromOneClipToAnother) {
   EXPECT_EQ(fewest, 0U);
 }
 
-TEST(LvZstrip, ADragMovesTheCameraAndAClickPicks) {
+TEST(LvglWidget, ADragMovesTheCameraAndAClickPicks) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("teapot_meshlets");
   lv_obj_t* const widget = widget_on_screen(scene, false);
@@ -323,7 +323,7 @@ TEST(LvZstrip, ADragMovesTheCameraAndAClickPicks) {
   EXPECT_EQ(lv_zstrip_get_orbit_right(widget), -1800);
 }
 
-TEST(LvZstrip, AnotherSizeIsPlannedAgain) {
+TEST(LvglWidget, AnotherSizeIsPlannedAgain) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("teapot_meshlets", 60'000);
   lv_obj_t* const widget = lv_zstrip_create(lv_screen_active());
@@ -341,7 +341,7 @@ TEST(LvZstrip, AnotherSizeIsPlannedAgain) {
   EXPECT_EQ(logged(), "");
 }
 
-TEST(LvZstrip, SaysWhatIsWrongOnTheScreenAndInTheLog) {
+TEST(LvglWidget, SaysWhatIsWrongOnTheScreenAndInTheLog) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   lv_obj_set_style_bg_color(lv_screen_active(), lv_color_hex(kParent), 0);
   lv_obj_t* const widget = lv_zstrip_create(lv_screen_active());
@@ -373,7 +373,7 @@ TEST(LvZstrip, SaysWhatIsWrongOnTheScreenAndInTheLog) {
   EXPECT_FALSE(lv_zstrip_pick(widget, 1, 1, &picked));
 }
 
-TEST(LvZstrip, NamesAFormatThatCannotShowIt) {
+TEST(LvglWidget, NamesAFormatThatCannotShowIt) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_I1, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("teapot_meshlets");
   widget_on_screen(scene, false);
@@ -383,7 +383,7 @@ TEST(LvZstrip, NamesAFormatThatCannotShowIt) {
 }
 
 /// The decoder of a display that is gone would be LVGL's freed memory.
-TEST(LvZstrip, ServesSeveralWidgetsAndAnotherLvglAfterwards) {
+TEST(LvglWidget, ServesSeveralWidgetsAndAnotherLvglAfterwards) {
   for (int again = 0; again < 2; ++again) {
     Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
     const Scene3d scene("teapot_meshlets"), other("robot", 60'000);
@@ -402,7 +402,7 @@ TEST(LvZstrip, ServesSeveralWidgetsAndAnotherLvglAfterwards) {
 }
 
 /// A layer that LVGL rotates is LVGL's own memory; the widget only draws into it.
-TEST(LvZstrip, IsRotatedAndScaledByLvglsStyles) {
+TEST(LvglWidget, IsRotatedAndScaledByLvglsStyles) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("robot", 60'000);
   lv_obj_t* const widget = widget_on_screen(scene, false);
@@ -432,7 +432,7 @@ TEST(LvZstrip, IsRotatedAndScaledByLvglsStyles) {
 }
 
 /// A canvas of the same size takes 16,000 bytes for its pixels alone.
-TEST(LvZstrip, TakesLittleMemoryOfLvgl) {
+TEST(LvglWidget, TakesLittleMemoryOfLvgl) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("teapot_meshlets", 9'500);
   lv_mem_monitor_t before, after;
@@ -445,7 +445,7 @@ TEST(LvZstrip, TakesLittleMemoryOfLvgl) {
 }
 
 /// With LV_ZSTRIP_PICTURES=FOLDER it leaves its screens there, for a look.
-TEST(LvZstripGauge, ShowsAModelUnderLabelsAndChangesItsClip) {
+TEST(LvglGauge, ShowsAModelUnderLabelsAndChangesItsClip) {
   Screen screen(240, 240, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL, 24);
   const Scene3d scene("clips", 60'000);
   ASSERT_TRUE(show_gauge(lv_screen_active(), &scene.scene)) << logged();
