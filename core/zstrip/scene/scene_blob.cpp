@@ -359,7 +359,7 @@ CharacterCounts count_characters(Reader& reader, const Records& all) {
     counts.morphed_meshlets += reader.some(all.meshlets, mesh.meshlets).size();
   }
   for (const blob_layout::MorphTargetRecord& target : all.morph_targets) {
-    counts.weights = std::max(counts.weights, target.weight + 1U);
+    counts.weights = std::max<std::uint32_t>(counts.weights, target.weight + 1U);
   }
   for (std::size_t i = 0; i < all.skins.size() && is_next(all.skins, i); ++i) {
     const MeshRecord& mesh = all.meshes[all.skins[i].mesh];
