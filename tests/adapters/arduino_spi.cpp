@@ -20,6 +20,10 @@ void pinMode(pin_size_t, PinMode) {}
 void digitalWrite(pin_size_t, PinStatus) {}
 void delay(unsigned long) {}
 void delayMicroseconds(unsigned int) {}
+unsigned long millis() {
+  static unsigned long now = 0;
+  return now += 100;
+}
 
 namespace zstrip::adapters_test {
 namespace {
@@ -68,7 +72,24 @@ struct PicoCore : Core {
     EXPECT_EQ(received, nullptr) << "which takes half of the time again";
     send(bytes, count);
   }
-  bool finishedAsync() { return true; }
+  /// The bytes are read as late as DMA may read them.
+  bool transferAsync(const void* bytes, void* received, std::size_t count) {
+    EXPECT_EQ(received, nullptr);
+    EXPECT_EQ(under_way.size(), 0U);
+    if (!has_channel) return false;
+    under_way = {static_cast<const std::uint8_t*>(bytes), count};
+    return true;
+  }
+  bool finishedAsync() {
+    if (hangs) return false;
+    send(under_way.data(), under_way.size());
+    under_way = {};
+    return true;
+  }
+  void abortAsync() { under_way = {}; }
+
+  std::span<const std::uint8_t> under_way;
+  bool has_channel = true, hangs = false;
 };
 
 /// Its bus by PIO, SoftwareSPI, does not ask whether there is a place for what it receives.
@@ -140,10 +161,46 @@ TYPED_TEST(ArduinoSpi, SendsBlocksAndLeavesThemAsTheyAre) {
     bus.start();
     const std::span part = std::span<const std::uint8_t>(bytes).subspan(1, count);
     ASSERT_EQ(bus.write_data(std::as_bytes(part)), hal::Error::none);
+    ASSERT_EQ(bus.wait(), hal::Error::none);
     EXPECT_EQ(bytes, original) << count;
     EXPECT_TRUE(std::ranges::equal(spi.sent, part)) << count;
     EXPECT_LE(spi.calls, static_cast<int>((count + 255) / 256)) << "calls for " << count << " bytes";
   }
+}
+
+// arduino-pico: data go by DMA, commands before the function returns.
+TEST(ArduinoSpiByDma, SendsUntilWaitEnds) {
+  PicoCore spi;
+  hal::ArduinoSpi bus(spi, {.data_command = 8}, 40'000'000);
+  bus.start();
+  const std::byte bytes[] = {std::byte{1}, std::byte{2}};
+  EXPECT_EQ(bus.write_command(bytes), hal::Error::none);
+  EXPECT_EQ(spi.sent.size(), 2U);
+  EXPECT_EQ(bus.write_data(bytes), hal::Error::none);
+  EXPECT_EQ(spi.sent.size(), 2U);
+  EXPECT_EQ(bus.wait(), hal::Error::none);
+  EXPECT_EQ(spi.sent, (std::vector<std::uint8_t>{1, 2, 1, 2}));
+  EXPECT_EQ(bus.wait(), hal::Error::none);
+  EXPECT_EQ(spi.calls, 2);
+}
+
+TEST(ArduinoSpiByDma, SendsWithoutAChannelAndTellsThatItDoesNotEnd) {
+  PicoCore spi;
+  hal::ArduinoSpi bus(spi, {.data_command = 8}, 40'000'000);
+  bus.start();
+  const std::byte bytes[] = {std::byte{1}, std::byte{2}};
+  spi.has_channel = false;
+  EXPECT_EQ(bus.write_data(bytes), hal::Error::none);
+  EXPECT_EQ(spi.sent.size(), 2U);
+  EXPECT_EQ(bus.wait(), hal::Error::none);
+  spi.has_channel = spi.hangs = true;
+  EXPECT_EQ(bus.write_data(bytes), hal::Error::none);
+  EXPECT_EQ(bus.wait(), hal::Error::timeout);
+  EXPECT_EQ(spi.under_way.size(), 0U);
+  spi.hangs = false;
+  EXPECT_EQ(bus.write_data(bytes), hal::Error::none);
+  EXPECT_EQ(bus.wait(), hal::Error::none);
+  EXPECT_EQ(spi.sent.size(), 4U);
 }
 
 }  // namespace

@@ -37,9 +37,10 @@ struct ArduinoSpiPins {
   decltype(SPI_MODE0) mode = SPI_MODE0;  ///< SPI_MODE3 for most modules without a select pin
 };
 
-/// A panel on an SPI controller: CommandDataBus of zstrip_hal/bus.hpp. All bytes have been sent when a function
-/// returns; Arduino cores report no SPI errors. `Spi` is a parameter because cores name their class of SPI
-/// differently.
+/// A panel on an SPI controller: CommandDataBus of zstrip_hal/bus.hpp. Where the core has transferAsync() (Raspberry Pi
+/// Pico), write_data() sends by DMA, so two strip buffers save time; elsewhere all bytes have been sent when a function
+/// returns. Arduino cores report no SPI errors: Error::timeout is a DMA that does not end in a second. `Spi` is a
+/// parameter because cores name their class of SPI differently.
 template <class Spi>
 class ArduinoSpi {
  public:
@@ -56,19 +57,55 @@ class ArduinoSpi {
     spi_.begin();
   }
 
-  Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
-  Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
-  Error wait() { return Error::none; }
+  Error write_command(std::span<const std::byte> bytes) {
+    select(false);
+    send(bytes);
+    deselect();
+    return Error::none;
+  }
+  Error write_data(std::span<const std::byte> bytes) {
+    select(true);
+    if constexpr (kHasDma) {
+      // False: all channels are in use.
+      if (!bytes.empty() && spi_.transferAsync(bytes.data(), nullptr, bytes.size())) {
+        is_sending_ = true;
+        return Error::none;
+      }
+    }
+    send(bytes);
+    deselect();
+    return Error::none;
+  }
+  Error wait() {
+    Error error = Error::none;
+    if constexpr (kHasDma) {
+      constexpr unsigned long kTimeout = 1000;  // ms
+      if (!is_sending_) return Error::none;
+      for (const unsigned long start = millis(); !spi_.finishedAsync() && error == Error::none;) {
+        if (millis() - start > kTimeout) error = Error::timeout;
+      }
+      if (error != Error::none) spi_.abortAsync();
+      is_sending_ = false;
+      deselect();
+    }
+    return error;
+  }
 
  private:
-  Error write(std::span<const std::byte> bytes, bool data) {
+  static constexpr bool kHasDma = requires(Spi & spi, const void* bytes) {
+    spi.transferAsync(bytes, nullptr, std::size_t{1});
+    spi.finishedAsync();
+    spi.abortAsync();
+  };
+
+  void select(bool data) {
     spi_.beginTransaction(settings_);
     digitalWrite(pins_.data_command, data ? HIGH : LOW);
     if (pins_.select >= 0) digitalWrite(pins_.select, LOW);
-    send(bytes);
+  }
+  void deselect() {
     if (pins_.select >= 0) digitalWrite(pins_.select, HIGH);
     spi_.endTransaction();
-    return Error::none;
   }
 
 #ifdef ARDUINO_ARCH_RP2040
@@ -103,6 +140,7 @@ class ArduinoSpi {
   Spi& spi_;
   ArduinoSpiPins pins_;
   SPISettings settings_;
+  bool is_sending_ = false;  ///< by DMA; the panel is selected until wait()
 };
 
 }  // namespace zstrip::hal
