@@ -14,10 +14,10 @@ namespace zstrip {
 /// centre; with effect::edges the surface at the pixel's centre. A surface that blends with alpha 0 is not shown.
 ///
 /// Call it after begin_frame, before or after any draw_strip; scene and arena must be those of the frame. Later
-/// draw_strip calls draw what they would have drawn. It transforms the meshlets that touch the pixel's strip, or in
-/// Mode::binned reads the strip's list, and draws a triangle only if its box contains the pixel.
-/// Error::not_begun; Error::view_size outside of the picture; Error::csg if the scene has products (`needed` = their
-/// operands), whose surfaces have no triangle of their own.
+/// draw_strip calls draw what they would have drawn. It transforms the meshlets whose spheres touch the pixel, or in
+/// Mode::binned reads the strip's list, and draws a triangle only if its box contains the pixel. A wrong
+/// Meshlet::radius hides triangles from it. Error::not_begun; Error::view_size outside of the picture; Error::csg if
+/// the scene has products (`needed` = their operands), whose surfaces have no triangle of their own.
 template <Effects effects>
 Status pick(const Frame& frame, std::uint16_t x, std::uint16_t y, Picked& picked) {
   static_assert(effects.methods == 0, "pick draws with the z-buffer, not with a visibility method");

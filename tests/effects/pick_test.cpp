@@ -367,6 +367,42 @@ TEST(EffectsPick, AFixedRendererPicksAsOthersDo) {
   }
 }
 
+// In a frame of one strip all meshlets of an instance were transformed, which took a quarter of the frame.
+TEST(EffectsPick, MostMeshletsOfAFrameOfOneStripAreLeftOut) {
+  std::mt19937 random(3);
+  constexpr View kView{161, 119};
+  for (const char* const name : {"teapot_meshlets", "knot_meshlets"}) {
+    const scenes::BuiltIn& built_in = *scenes::find(name);
+    const Mesh& mesh = built_in.scene.meshes[0];
+    for (const int percent : {100, 30}) {
+      SCOPED_TRACE(testing::Message() << name << ' ' << percent << " %");
+      const Camera camera = closer(built_in.camera, percent);
+      const BegunFrame frame(built_in.scene, camera, kView, effects_of(built_in.scene, camera), kWhole);
+      const detail::StateOfFrame state_of(frame.frame());
+      const auto& state = state_of.get<detail::FrameState>();
+      std::size_t tested = 0, left_out = 0;
+      for (int i = 0; i < 1000; ++i) {
+        const int x = static_cast<int>(random() % kView.width), y = static_cast<int>(random() % kView.height);
+        const int column = x - kView.width / 2, row = y - kView.height / 2;
+        const detail::PixelPlanes planes(state.instances[0], mesh, state.origin, {column, row, column + 1, row + 1},
+                                         false);
+        const Picked picked = frame.picked(x, y);
+        std::uint32_t end = 0;
+        for (const Meshlet& meshlet : mesh.meshlets) {
+          end += meshlet.triangle_count;
+          const bool holds_it = picked.shown == Shown::instance && picked.triangle < end &&
+                                picked.triangle >= end - meshlet.triangle_count;
+          const bool misses = planes.miss(state.instances[0], meshlet);
+          ASSERT_FALSE(holds_it && misses) << x << ',' << y;
+          ++tested;
+          left_out += misses ? 1U : 0U;
+        }
+      }
+      EXPECT_GT(left_out * 100, tested * (percent == 100 ? 70 : 45));
+    }
+  }
+}
+
 TEST(EffectsPick, WhatCannotBePickedIsAnError) {
   Picked picked{.index = 7};
   const AnyRenderer idle(effect::lighting);

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 #include "zstrip/effects/stages.hpp"
 #include "zstrip/frame.hpp"
 #include "zstrip/frame/picked.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/stages/raster_stage.hpp"
+#include "zstrip/state/pixel_planes.hpp"
 
 namespace zstrip::detail {
 
@@ -33,6 +35,35 @@ class StateOfFrame : public Frame {
   }
 };
 
+/// A pixel, for triangles of narrow vertices.
+class NarrowPixel {
+ public:
+  explicit NarrowPixel(const Rect& pixel) : right_(pixel.right * 16), bottom_(pixel.bottom * 16) {}
+  /// True if NarrowPixels has no row or no column of the pixel. Signs decide, as in NarrowRows.
+  bool misses(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) const {
+    const auto on_one_side = [](std::int32_t i, std::int32_t j, std::int32_t k) { return ((i ^ j) | (j ^ k)) >= 0; };
+    return on_one_side(a.y - bottom_, b.y - bottom_, c.y - bottom_) ||
+           on_one_side(a.x - right_, b.x - right_, c.x - right_);
+  }
+  /// Returns the first triangle of `at` .. `end` that does not miss it, or `end`. Most do: a loop of its own has all
+  /// that it needs in registers.
+  [[gnu::noinline]] const Triangle* next(const Batch& batch, const Triangle* at, const Triangle* end) const {
+    // The address of the mesh's vertex 0, as in Facing.
+    const std::uintptr_t vertices =
+        reinterpret_cast<std::uintptr_t>(batch.vertices) - batch.first_vertex * sizeof(SnappedVertex);
+    const auto vertex = [vertices](std::uint32_t index) -> const SnappedVertex& {
+      return *reinterpret_cast<const SnappedVertex*>(  // NOLINT(performance-no-int-to-ptr)
+          vertices + index * sizeof(SnappedVertex));
+    };
+    const NarrowPixel self = *this;
+    while (at != end && self.misses(vertex(at->a), vertex(at->b), vertex(at->c))) ++at;
+    return at;
+  }
+
+ private:
+  std::int32_t right_, bottom_;  // sub-pixels
+};
+
 /// Writes down the nearest triangle of one pixel.
 template <Effects effects>
 class PickedTriangle {
@@ -46,21 +77,22 @@ class PickedTriangle {
 
  public:
   /// Draws a triangle of the batch if its box contains the target's only pixel. Returns true if the pixel shows it.
-  /// `prepare(vertex)` is called for the corners of triangles that are drawn.
+  /// `all_narrow`: no vertex of the batch needs the clipping path. `prepare(vertex)` is called for the corners of
+  /// triangles that are drawn.
   template <class Prepare>
-  static bool draw(const Target& target, const Batch& batch, const Triangle& triangle, const Prepare& prepare,
-                   Picked& picked) {
+  static bool draw(const Target& target, const Batch& batch, const Triangle& triangle, bool all_narrow,
+                   const Prepare& prepare, Picked& picked) {
     const auto vertex = [&batch](std::uint32_t index) -> const SnappedVertex& {
       return batch.vertices[index - batch.first_vertex];
     };
     const SnappedVertex &a = vertex(triangle.a), &b = vertex(triangle.b), &c = vertex(triangle.c);
     if constexpr (!Assembler::kUnclipped) {
-      if (!Assembler::is_narrow(a, b, c)) {
+      if (!all_narrow && !Assembler::is_narrow(a, b, c)) {
         for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) prepare(index);
         return draw_clipped(target, batch, triangle, picked);
       }
     }
-    if (!NarrowPixels{a, b, c}.box().touches(target.area)) return false;
+    if (NarrowPixel(target.area).misses(a, b, c)) return false;
     const std::int32_t area = Assembler::narrow_area(a, b, c);
     if (area == 0 || (area < 0 && !Assembler::shows_both_sides(batch))) return false;
     for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) prepare(index);
@@ -335,18 +367,32 @@ class Picker {
     const StripGrid::Place place = frame_.grid.place_of(strip);
     std::uint32_t tested = UINT32_MAX;  // the instance whose box was compared last
     bool may_cover = false;
+    std::optional<PixelPlanes> planes;
     GeometryStage::for_each_meshlet<effects>(
         frame_, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
           if (frame_.extents != nullptr && !frame_.grid.touches(frame_.extents[number], place)) return;
-          if (instance != tested) may_cover = box_touches(instance, pixel);
-          tested = instance;
-          if (!may_cover) return;
+          const CompiledInstance& compiled = frame_.instances[instance];
+          if (instance != tested) {
+            tested = instance;
+            may_cover = box_touches(instance, pixel);
+            planes.reset();
+            if (may_cover && has_spheres(instance)) {
+              planes.emplace(compiled, mesh_of(instance), frame_.origin, target.area, kOrthographic);
+            }
+          }
+          if (!may_cover || (planes && planes->miss(compiled, mesh_of(instance).meshlets[meshlet]))) return;
           const MeshletRange range = meshlet_range(mesh_of(instance), meshlet);
           const auto batch = GeometryStage::batch_for<effects>(frame_, instance, range.first_vertex, 0);
-          GeometryStage::transform<effects>(frame_, batch, range, 0);
-          with_batch(target, batch, range.triangles, instance, [&](const auto& draw) {
+          const bool all_narrow = GeometryStage::transform<effects>(frame_, batch, range, 0);
+          with_batch(target, batch, range.triangles, instance, all_narrow, [&](const auto& draw) {
             const auto prepare = [&](std::uint32_t vertex) { this->prepare(batch, vertex); };
-            for (const Triangle& triangle : range.triangles) draw(triangle, prepare, picked);
+            const NarrowPixel narrow(target.area);
+            const Triangle* const end = range.triangles.data() + range.triangles.size();
+            for (const Triangle* triangle = range.triangles.data(); triangle != end; ++triangle) {
+              if (all_narrow) triangle = narrow.next(batch, triangle, end);
+              if (triangle == end) break;
+              draw(*triangle, prepare, picked);
+            }
           });
         });
   }
@@ -358,7 +404,7 @@ class Picker {
       const auto batch =
           GeometryStage::batch_for<effects>(frame_, retained.instance, range.first_vertex, retained.first_vertex);
       if (!retained.all_narrow) GeometryStage::move<effects>(batch, range);
-      with_batch(target, batch, range.triangles, retained.instance, [&](const auto& draw) {
+      with_batch(target, batch, range.triangles, retained.instance, retained.all_narrow, [&](const auto& draw) {
         for (auto listed = list.next_run(); !listed.empty(); listed = list.next_run()) {
           for (const std::uint16_t entry : listed)
             draw(
@@ -371,14 +417,14 @@ class Picker {
   /// Calls visit(draw), where draw(triangle, prepare, picked) draws a triangle of the batch.
   template <class Visit>
   void with_batch(const StripTarget& target, const BatchOf<effects>& batch, std::span<const Triangle> triangles,
-                  std::uint32_t instance, const Visit& visit) {
+                  std::uint32_t instance, bool all_narrow, const Visit& visit) {
     const auto first = static_cast<std::uint32_t>(triangles.data() - mesh_of(instance).triangles.data());
     const bool turned = effects.has(effect::outlines) && is_outline(*batch.instance);
     Materials::with_settings<kPicking>(frame_, target, *batch.instance, [&](const auto& complete) {
       visit([&](const Triangle& triangle, const auto& prepare, Picked& picked) {
         Picked found = picked;
-        if (!PickedTriangle<effects>::draw(complete, batch, turned ? turned_round(triangle) : triangle, prepare,
-                                           found)) {
+        if (!PickedTriangle<effects>::draw(complete, batch, turned ? turned_round(triangle) : triangle, all_narrow,
+                                           prepare, found)) {
           return;
         }
         found.shown = Shown::instance;
@@ -406,6 +452,14 @@ class Picker {
     const CompiledInstance& compiled = frame_.instances[instance];
     if (effects.has(effect::outlines) && is_outline(compiled)) return true;
     return bounds_of(compiled, frame_.origin, frame_.view, kOrthographic).touches(pixel);
+  }
+
+  /// True if the spheres of an instance's meshlets contain their vertices: joints and hulls move these.
+  bool has_spheres(std::uint32_t instance) const {
+    const Mesh& mesh = mesh_of(instance);
+    if (effects.has(effect::skins) && mesh.skinning != nullptr) return false;
+    if (effects.has(effect::outlines) && is_outline(frame_.instances[instance])) return false;
+    return !mesh.meshlets.empty();
   }
 
   /// Hulls are instances after those of the caller's scene. Replaces the index of one by that of its instance.
