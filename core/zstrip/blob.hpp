@@ -56,6 +56,7 @@ struct SceneBlob {
   std::span<const Skin> skins{};           ///< of meshes of the scene; they have the same joints
   MovedSkins moved{};                      ///< one Skinning a skin, to which the scene's meshes refer: for pose_clips
   MovedMorphs morphs{};                    ///< morph targets of meshes of the scene, for pose_clips
+  std::span<const ClipEvent> events{};     ///< of the clips, or of `animation` as clip 0; clips ascend, and their times
   std::uint32_t memory_bytes = 0;          ///< of the lent memory, that are in use
 
   /// Returns the camera for a motion of `frames` frames.

@@ -48,6 +48,29 @@ struct MovedMorphs {
   std::span<MorphWeight> weights;
 };
 
+/// A number that a program gets when a clip comes to a time: a foot touches the ground, a word begins.
+struct ClipEvent {
+  std::uint16_t clip;    ///< its index
+  std::uint16_t number;  ///< any
+  std::uint32_t time;    ///< milliseconds after the clip's start, less than its duration
+};
+
+/// Returns an event of a clip that has been due since the call before, the earliest one; null if there is none. Call it
+/// until there is none, at least once in the clip's `duration`: the clip may have begun again meanwhile. `time`: of the
+/// clip, less than `duration`. `from`: the earliest time that is due, 0 when the clip begins, up to `duration`; this
+/// sets it for the next call.
+constexpr const ClipEvent* next_event(std::span<const ClipEvent> events, std::uint16_t clip, std::uint32_t time,
+                                      std::uint32_t duration, std::uint32_t& from) {
+  const auto since_from = [&](std::uint32_t at) { return at >= from ? at - from : at + (duration - from); };
+  const ClipEvent* next = nullptr;
+  for (const ClipEvent& event : events) {
+    if (event.clip != clip || since_from(event.time) >= since_from(time + 1)) continue;
+    if (next == nullptr || since_from(event.time) < since_from(next->time)) next = &event;
+  }
+  from = (next != nullptr ? next->time : time) + 1;
+  return next;
+}
+
 /// A clip that plays, at one time.
 struct PlayedClip {
   std::uint32_t time = 0;   ///< milliseconds after the clip's start, less than its duration

@@ -196,6 +196,14 @@ static mp_obj_t player_play_clip(size_t count, const mp_obj_t* arguments) {
 }
 static MP_DEFINE_CONST_FUN_OBJ_VAR_BETWEEN(play_clip_obj, 2, 4, player_play_clip);
 
+/* poll_event(): the number of the next event that the clip has reached, or None. */
+static mp_obj_t player_poll_event(mp_obj_t object) {
+  uint16_t number = 0;
+  if (!zstrip_player_poll_event(self_of(object)->player, &number)) return mp_const_none;
+  return MP_OBJ_NEW_SMALL_INT(number);
+}
+static MP_DEFINE_CONST_FUN_OBJ_1(poll_event_obj, player_poll_event);
+
 static mp_obj_t player_play(mp_obj_t object, mp_obj_t milliseconds) {
   zstrip_player_play(self_of(object)->player, word_of(milliseconds));
   return mp_const_none;
@@ -262,6 +270,7 @@ static const mp_rom_map_elem_t player_locals[] = {
     {MP_ROM_QSTR(MP_QSTR_pick), MP_ROM_PTR(&pick_obj)},
     {MP_ROM_QSTR(MP_QSTR_clips), MP_ROM_PTR(&clips_obj)},
     {MP_ROM_QSTR(MP_QSTR_play_clip), MP_ROM_PTR(&play_clip_obj)},
+    {MP_ROM_QSTR(MP_QSTR_poll_event), MP_ROM_PTR(&poll_event_obj)},
     {MP_ROM_QSTR(MP_QSTR_play), MP_ROM_PTR(&play_obj)},
     {MP_ROM_QSTR(MP_QSTR_hold), MP_ROM_PTR(&hold_obj)},
     {MP_ROM_QSTR(MP_QSTR_seek), MP_ROM_PTR(&seek_obj)},

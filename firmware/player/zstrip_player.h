@@ -114,6 +114,10 @@ const char* zstrip_player_clip_name(const zstrip_player* player, size_t clip);
 /** Returns the duration of a clip in milliseconds; 0 if there is no such clip. */
 uint32_t zstrip_player_clip_time(const zstrip_player* player, size_t clip);
 
+/** Sets `number` to that of the next event that the clip that was chosen last has reached since the call before.
+ * Returns 0 if there is none. Call it after zstrip_player_play until it returns 0. */
+int zstrip_player_poll_event(zstrip_player* player, uint16_t* number);
+
 /** Sets `area` to a rectangle outside of which the frame that was begun last equals the frame that was begun when this
  * function was called before. It has no pixels (width 0) if nothing changed, and is the whole picture after a fit. */
 void zstrip_player_changed(zstrip_player* player, zstrip_area* area);

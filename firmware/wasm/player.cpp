@@ -49,7 +49,8 @@ std::span<T> room_for(std::size_t count) {
 }
 
 SceneBlob blob;
-PlayedClips played;  // of blob.clips
+PlayedClips played;            // of blob.clips
+std::uint32_t event_from = 0;  // for next_event
 View view;
 Plan planned;
 Camera camera;
@@ -177,6 +178,15 @@ extern "C" {
 }
 [[clang::export_name("play")]] void zstrip_play(std::size_t clip, std::uint16_t fade, int loops) {
   played.play(static_cast<std::uint16_t>(clip), fade, loops != 0);
+  event_from = 0;
+}
+/// Returns the number of the next event that the clip that was chosen last has reached; -1: none.
+[[clang::export_name("next_event")]] int zstrip_next_event() {
+  if (blob.clips.empty()) return -1;
+  const PlayedClip& last = played.last();
+  const ClipEvent* const event =
+      next_event(blob.events, last.clip, last.time, blob.clips[last.clip].duration(), event_from);
+  return event != nullptr ? event->number : -1;
 }
 /// Moves the clips that play on, and draws them into picture().
 [[clang::export_name("advance")]] int zstrip_advance(std::uint32_t milliseconds) {

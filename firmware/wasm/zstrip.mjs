@@ -63,6 +63,13 @@ class Scene {
     return this.#pixels();
   }
 
+  // The numbers of the events that the clip that was played last has reached since the call before. Call it after advance().
+  events() {
+    const numbers = [];
+    for (let number; (number = this.#wasm.next_event()) >= 0;) numbers.push(number);
+    return numbers;
+  }
+
   #pixels() {
     return new Uint8ClampedArray(this.#wasm.memory.buffer, this.#picture, 4 * this.width * this.height);
   }

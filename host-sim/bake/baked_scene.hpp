@@ -9,6 +9,7 @@
 #include "import/model.hpp"
 #include "zstrip/animation.hpp"
 #include "zstrip/camera.hpp"
+#include "zstrip/clips.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/plan.hpp"
 #include "zstrip/scene.hpp"
@@ -67,6 +68,7 @@ struct BakedScene {
   Turn turn{};
   BakedSkins skins{};                          ///< of a header
   const BlobCharacters* characters = nullptr;  ///< of a blob; null: nothing bends, and there is one animation or none
+  std::span<const ClipEvent> events{};         ///< of a blob
   std::size_t edges_left_out = 0;              ///< by ShownEdges
   std::string unclipped_where{};               ///< with effect::unclipped: the poses that were checked, as text
 };

@@ -213,6 +213,10 @@ class Writer {
     half_word(key.weight);
     zeros(2);
   }
+  void put(const ClipEvent& event) {
+    for (const std::uint16_t value : {event.clip, event.number}) half_word(std::uint32_t{value});
+    word(event.time);
+  }
   void put(const blob_layout::MorphRecord& morph) {
     put(morph.targets);
     half_word(std::uint32_t{morph.mesh});

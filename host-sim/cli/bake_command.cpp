@@ -87,6 +87,19 @@ struct OutputSkins {
   std::vector<ModelClip> clips;  ///< of a blob; empty: it has at most one animation, and that of instances
 };
 
+/// Returns the events of the clips, or without clips those of the stage's animation.
+std::vector<ClipEvent> events_of(const std::vector<ModelClip>& clips, const Stage& stage) {
+  if (clips.empty()) return stage.events();
+  std::vector<ClipEvent> events;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    for (ClipEvent event : clips[i].events) {
+      event.clip = static_cast<std::uint16_t>(i);
+      events.push_back(event);
+    }
+  }
+  return events;
+}
+
 /// `file`: for messages.
 Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effects method, const Stage& stage,
                              const Scene& scene, bool warn) {
@@ -97,6 +110,9 @@ Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effe
   const auto bends = [](const ModelClip& clip) { return !clip.joints.view().tracks.empty(); };
   const auto morphs = [](const ModelClip& clip) { return !clip.weights.view().tracks.empty(); };
   const Model* const model = stage.model();
+  if (warn && stage.blob() != nullptr && !stage.blob()->morphs.meshes.empty()) {
+    print_warning("the morph targets of a baked scene stand still; bake the model itself");
+  }
   if (model != nullptr && std::ranges::any_of(*clips, bends)) {
     output.skins = {model->skins, model->joints, model->rest, {}};
   }
@@ -232,7 +248,8 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
                      .effects = picture,
                      .clips = characters != nullptr ? characters->clips() : std::span<const Clip>(),
                      .skins = characters != nullptr ? characters->skins() : std::span<const Skin>(),
-                     .morphs = {characters != nullptr ? characters->morphs() : std::span<const MovedMorph>(), {}}});
+                     .morphs = {characters != nullptr ? characters->morphs() : std::span<const MovedMorph>(), {}},
+                     .events = baked.events});
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
   if (characters != nullptr) record.flash.keyframes = characters->keyframe_bytes();
   record.flash.tables = blob->size() - record.flash.arrays();
@@ -410,6 +427,8 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   if (!baked) return baked.failure();
   if (shown) baked->edges_left_out = shown->left_out();
   if (characters) baked->characters = &*characters;
+  const std::vector<ClipEvent> events = events_of(output_skins->clips, **stage);
+  if (characters || !baked->animation.tracks.empty()) baked->events = events;
   if (project) {
     if (const Result<Done> shown_by = check_for_project(*baked, arguments.name_space, *project); !shown_by) {
       return shown_by.failure();

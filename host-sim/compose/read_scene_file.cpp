@@ -129,6 +129,7 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   for (TomlTable& table : lights) scene.lights.push_back(read_light(table));
   for (TomlTable& table : root.tables("sprite", "[[sprite]]")) scene.sprites.push_back(read_sprite(table));
   for (TomlTable& table : root.tables("label", "[[label]]")) scene.labels.push_back(read_label(table));
+  for (TomlTable& table : root.tables("event", "[[event]]")) scene.events.push_back(read_event(table));
   root.finish();
 
   const std::vector<std::string> models = names_of(scene.models, "model", errors);

@@ -241,6 +241,7 @@ struct SceneFile {
   std::vector<FileLight> lights;
   std::vector<FileSprite> sprites;
   std::vector<FileLabel> labels;
+  std::vector<AnimationEvent> events;  ///< [[event]]
 
   /// Returns the path of a file that this file names.
   std::filesystem::path beside(const std::filesystem::path& name) const { return path.parent_path() / name; }

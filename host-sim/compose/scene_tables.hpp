@@ -20,5 +20,6 @@ FileLight read_light(TomlTable& table);
 FileFog read_fog(TomlTable& table);
 FileSprite read_sprite(TomlTable& table);
 FileLabel read_label(TomlTable& table);
+AnimationEvent read_event(TomlTable& table);
 
 }  // namespace zstrip::sim

@@ -85,6 +85,17 @@ PictureSettings read_picture(TomlTable& table) {
   return picture;
 }
 
+AnimationEvent read_event(TomlTable& table) {
+  AnimationEvent event;
+  for (const char* key : {"time", "number"}) {
+    if (!table.has(key)) table.wrong(key, fmt::format("'{}' is missing", key));
+  }
+  event.seconds = table.number("time", {0, 3600}).value_or(0);
+  event.number = static_cast<std::uint16_t>(table.integer("number", 0, 0xFFFF).value_or(0));
+  table.finish();
+  return event;
+}
+
 FileCamera read_camera(TomlTable& table) {
   FileCamera camera;
   camera.line = table.line();

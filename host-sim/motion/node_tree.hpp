@@ -51,11 +51,18 @@ struct WeightCurve {
   Curve<std::array<double, 1>> curve;
 };
 
+/// A number for programs at a time of an animation.
+struct AnimationEvent {
+  double seconds = 0;  ///< after the start
+  std::uint16_t number = 0;
+};
+
 struct NodeAnimation {
   std::string name;     ///< may be empty
   double duration = 0;  ///< seconds, > 0
   std::vector<NodeCurves> moved;
   std::vector<WeightCurve> weights{};  ///< at most one for each weight
+  std::vector<AnimationEvent> events{};
 };
 
 struct NodeTree {

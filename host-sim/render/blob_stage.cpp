@@ -116,6 +116,10 @@ class BlobStage : public CameraStage {
     return (!blob_.skins.empty() && !joint_animation().tracks.empty()) || !weight_animation().tracks.empty();
   }
   Animation joint_animation() const override { return blob_.clips.empty() ? Animation{} : blob_.clips[clip_].joints; }
+  std::vector<ClipEvent> events() const override {
+    if (!blob_.clips.empty()) return {};
+    return {blob_.events.begin(), blob_.events.end()};
+  }
   WeightAnimation weight_animation() const override {
     return blob_.clips.empty() ? WeightAnimation{} : blob_.clips[clip_].weights;
   }

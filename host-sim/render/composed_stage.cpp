@@ -110,6 +110,7 @@ class ComposedStage : public CameraStage {
 
   const std::vector<std::string>& warnings() const override { return composed_->warnings; }
   Animation animation() const override { return composed_->animation.view(); }
+  std::vector<ClipEvent> events() const override { return fit_events(file_->events, animation().duration); }
   /// The number of instances fits in 16 bits.
   Turn turn() const override { return {Turning::instances, static_cast<std::uint16_t>(composed_->static_instances)}; }
   Origins origins() const override {

@@ -30,6 +30,7 @@ class EdgedStage : public Stage {
   Animation joint_animation() const override { return stage_->joint_animation(); }
   Result<std::vector<ModelClip>> clips() const override { return stage_->clips(); }
   WeightAnimation weight_animation() const override { return stage_->weight_animation(); }
+  std::vector<ClipEvent> events() const override { return stage_->events(); }
   Turn turn() const override { return stage_->turn(); }
   Origins origins() const override { return stage_->origins(); }
   const Model* model() const override { return stage_->model(); }

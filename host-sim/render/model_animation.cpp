@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "import/quantise.hpp"
 #include "import/quantised_skins.hpp"
@@ -102,6 +104,17 @@ Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimati
     tolerances.push_back(together > 0 ? std::clamp(kAnimationTolerance / together, kMinError, kMaxError) : kMaxError);
   }
   return fit_weights(animation, tolerances);
+}
+
+std::vector<ClipEvent> fit_events(std::span<const AnimationEvent> events, std::uint32_t duration) {
+  std::map<std::uint32_t, std::uint16_t> numbers;  // by milliseconds
+  for (const AnimationEvent& event : events) {
+    const double milliseconds = std::round(event.seconds * 1000);
+    if (milliseconds < duration) numbers.emplace(static_cast<std::uint32_t>(milliseconds), event.number);
+  }
+  std::vector<ClipEvent> fitted;
+  for (const auto& [time, number] : numbers) fitted.push_back({.clip = 0, .number = number, .time = time});
+  return fitted;
 }
 
 std::vector<Instance> all_poses(const Animation& animation, std::span<const Instance> instances) {

@@ -1,7 +1,9 @@
 // Converts a model file's animation to the renderer's, and lists the poses that a camera must show.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "motion/fitted_animation.hpp"
 #include "motion/fitted_weights.hpp"
 #include "result.hpp"
+#include "zstrip/clips.hpp"
 
 namespace zstrip::sim {
 
@@ -32,6 +35,9 @@ Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimat
 
 /// Converts the animation of the model's weights. The failure's message starts with a verb.
 Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation);
+
+/// Returns the events of an animation of `duration` milliseconds in their order, one a time; later ones are left out.
+std::vector<ClipEvent> fit_events(std::span<const AnimationEvent> events, std::uint32_t duration);
 
 /// Returns the instances at many times of the animation, one time after the other: all poses that a camera must show.
 /// Returns `instances` if there are no tracks.

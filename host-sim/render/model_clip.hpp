@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "motion/fitted_animation.hpp"
 #include "motion/fitted_weights.hpp"
+#include "zstrip/clips.hpp"
 
 namespace zstrip::sim {
 
@@ -12,7 +14,8 @@ namespace zstrip::sim {
 struct ModelClip {
   std::string name;  ///< may be empty
   FittedAnimation instances, joints;
-  FittedWeights weights;  ///< of morph targets
+  FittedWeights weights;            ///< of morph targets
+  std::vector<ClipEvent> events{};  ///< with ClipEvent::clip 0; their times ascend
 };
 
 }  // namespace zstrip::sim

@@ -53,7 +53,8 @@ Result<ModelClip> fit_clip(const Model& model, const NodeAnimation& animation, c
   if (!joints) return fitted_failure(joints.failure(), animation, file);
   Result<FittedWeights> weights = fit_weight_animation(model, animation);
   if (!weights) return fitted_failure(weights.failure(), animation, file);
-  return ModelClip{animation.name, std::move(*instances), std::move(*joints), std::move(*weights)};
+  std::vector<ClipEvent> events = fit_events(animation.events, instances->view().duration);
+  return ModelClip{animation.name, std::move(*instances), std::move(*joints), std::move(*weights), std::move(events)};
 }
 
 /// The animation that is shown, and whether it was chosen by its name.
@@ -222,6 +223,7 @@ class ModelStage : public CameraStage {
     return clips;
   }
   WeightAnimation weight_animation() const override { return motion_->shown.weights.view(); }
+  std::vector<ClipEvent> events() const override { return motion_->shown.events; }
   Turn turn() const override { return bends() ? Turn{.what = Turning::nothing} : Turn{}; }
   Origins origins() const override {
     Origins origins{model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};

@@ -55,6 +55,8 @@ class Stage {
   virtual Result<std::vector<ModelClip>> clips() const { return std::vector<ModelClip>(); }
   /// Returns the motion of the weights of model()'s morph targets, if they move. Valid as long as the stage.
   virtual WeightAnimation weight_animation() const { return {}; }
+  /// Returns the events of animation(), as those of clip 0.
+  virtual std::vector<ClipEvent> events() const { return {}; }
   /// Returns the motion for scenes without an animation.
   virtual Turn turn() const = 0;
   /// Returns the places in the file that need effects, and the names of materials.

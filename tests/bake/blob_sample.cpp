@@ -152,6 +152,7 @@ SceneBlob morph_sample() {
   SceneBlob blob = skin_sample();
   blob.clips = kMorphClips;
   blob.morphs.meshes = kMovedMorphs;
+  blob.events = kEvents;
   return blob;
 }
 Bytes morph_bytes() {

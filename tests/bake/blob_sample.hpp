@@ -185,6 +185,7 @@ inline constexpr Clip kMorphClips[] = {{.name = "walk",
                                         .instances = {{}, {}, 700},
                                         .joints = {kWaveJoints, kWaveKeys, 700},
                                         .weights = {kWaveWeights, kWaveWeightKeys, 700}}};
+inline constexpr ClipEvent kEvents[] = {{0, 7, 0}, {0, 65535, 999}, {1, 3, 699}};
 /// What morph_bytes() needs.
 inline constexpr std::size_t kMorphMemory =
     kSkinMemory +

@@ -101,6 +101,46 @@ TEST(SceneBlobMorphs, LentMemoryHoldsTheMorphedMeshes) {
   EXPECT_EQ(character_memory({.morphed_positions = 1, .morphed_normals = 1, .morphed_meshlets = 1}), 30U);
 }
 
+TEST(SceneBlobEvents, AreReadAsTheyWereWritten) {
+  const Bytes whole = morph_bytes();
+  const Opened opened(whole, kMorphMemory);
+  ASSERT_TRUE(opened.status);
+  expect_same_bytes(opened.content.events, std::span<const ClipEvent>(kEvents));
+  const std::uint32_t events = section(whole, "evnt");
+  ASSERT_EQ(section_bytes(whole, "evnt"), 3 * 8U);
+  EXPECT_EQ(word(whole, events + 8), 0xFFFF0000U);
+  EXPECT_EQ(word(whole, events + 12), 999U);
+  EXPECT_EQ(word(whole, events + 16), 0x30001U);
+}
+
+TEST(SceneBlobEvents, ThatNeverComeAreDamage) {
+  const Bytes whole = morph_bytes();
+  const std::uint32_t events = section(whole, "evnt");
+  const auto with_word = [&whole](std::uint32_t at, std::uint32_t value) {
+    Bytes changed = whole;
+    put_word(changed, at, value);
+    mend(changed);
+    return Opened(changed, kMorphMemory).status;
+  };
+  const auto damage = [](std::uint32_t at) { return Status{.error = Error::blob_damaged, .needed = at}; };
+  EXPECT_EQ(with_word(events + 12, 1000), damage(events + 12)) << "behind the clip's end";
+  EXPECT_EQ(with_word(events + 16, 2), damage(events + 20)) << "a clip that is not there";
+  EXPECT_EQ(with_word(events + 12, 0), damage(events + 8)) << "two at a time";
+  EXPECT_EQ(with_word(events, 1), damage(events + 8)) << "a clip before the last one";
+  EXPECT_TRUE(with_word(events + 12, 1));
+  // Of the only animation, as clip 0; without one nothing happens.
+  const Piece event{"evnt", {0, 0, 1, 0, 0, 0, 0, 0}};
+  std::vector<Piece> pieces = pieces_of(sample_bytes());
+  pieces.push_back(event);
+  const Bytes still = blob_of(pieces);
+  EXPECT_EQ(Opened(still).status, damage(section(still, "evnt") + 4));
+  pieces = pieces_of(skin_bytes());
+  std::erase_if(pieces, [](const Piece& piece) { return piece.tag == "CLIP"; });
+  pieces.insert(pieces.begin(), {"ANIM", {1, 0, 0, 0}});
+  pieces.push_back(event);
+  EXPECT_TRUE(Opened(blob_of(pieces), kSkinMemory).status);
+}
+
 /// What has no morph targets is read by programs that do not know them.
 TEST(SceneBlobMorphs, OnlyTheyNeedTheLatestVersion) {
   EXPECT_EQ(skin_bytes()[2], 5);

@@ -73,6 +73,11 @@ TEST(SceneFile, FogWithoutItsEnd) {
             "'scene.toml' line 8: [fog]: 'end' must be greater than 'start': all is fog there");
 }
 
+TEST(SceneFile, EventsHaveATimeAndANumber) {
+  EXPECT_EQ(failure(kCube + "[[event]]\ntime = 2\n"), "'scene.toml' line 6: [[event]]: 'number' is missing");
+  EXPECT_EQ(failure(kCube + "[[event]]\nnumber = 2\n"), "'scene.toml' line 6: [[event]]: 'time' is missing");
+}
+
 const std::string kWire = "[[material]]\nname = 'w'\n";  // 2 lines
 
 TEST(SceneFile, LinesAndPoints) {

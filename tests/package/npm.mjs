@@ -30,6 +30,17 @@ frames.forEach((name, frame) => {
 // Clips: at a frame's time they are that frame; in the middle of a fade they are neither clip.
 if (scene.clips.length > 1) {
   const [first, second] = scene.clips;
+  if (first.name === 'talk') {
+    assert.deepEqual(scene.events(), [7], 'at its beginning');
+    scene.advance(600);
+    assert.deepEqual(scene.events(), [9]);
+    assert.deepEqual(scene.events(), []);
+    scene.play('puff');
+    scene.advance(799);
+    assert.deepEqual(scene.events(), [2]);
+    scene.play(0);
+    scene.advance(0);
+  }
   const frame = scene.draw(1).slice();
   scene.play(first.name);
   assert.deepEqual(scene.advance(Math.floor(first.milliseconds / frames.length)), new Uint8ClampedArray(frame));

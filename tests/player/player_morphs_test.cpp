@@ -203,6 +203,105 @@ TEST(PlayerMorphs, TakeTheMemoryOfTheirMeshes) {
   EXPECT_EQ(opened.memory_bytes, scene_blob_memory(2, 0) + character_memory(counts));
 }
 
+/// All numbers that are due now.
+std::vector<int> polled(Player& player) {
+  std::vector<int> numbers;
+  for (std::uint16_t number = 0; player.poll_event(number);) numbers.push_back(number);
+  return numbers;
+}
+
+using Numbers = std::vector<int>;
+
+/// Of "talk", which takes a second: 7 at its beginning, 9 in its middle; of "puff", 800 ms: 2 at 300 ms.
+TEST(PlayerEvents, ComeOnceInEachRepetition) {
+  Morphing face("morph_face");
+  ASSERT_TRUE(face.open_and_fit()) << face.player.error();
+  Player& player = face.player;
+  EXPECT_EQ(polled(player), Numbers{7});
+  EXPECT_EQ(polled(player), Numbers{});
+  player.play(1000);
+  player.play(1499);
+  EXPECT_EQ(polled(player), Numbers{});
+  player.play(1500);
+  EXPECT_EQ(polled(player), Numbers{9});
+  player.play(1501);
+  EXPECT_EQ(polled(player), Numbers{});
+  player.play(1999);
+  EXPECT_EQ(polled(player), Numbers{});
+  player.play(2000);
+  EXPECT_EQ(polled(player), Numbers{7}) << "again";
+  player.play(2700);
+  EXPECT_EQ(polled(player), Numbers{9});
+  player.play(3600);
+  EXPECT_EQ(polled(player), (Numbers{7, 9})) << "in their order";
+  player.hold(true);
+  player.play(9000);
+  EXPECT_EQ(polled(player), Numbers{});
+  player.hold(false);
+  player.seek(500);
+  EXPECT_EQ(polled(player), Numbers{9}) << "from that time on";
+  ASSERT_TRUE(player.play_clip(1, 200));
+  EXPECT_EQ(polled(player), Numbers{});
+  player.play(9300);
+  EXPECT_EQ(polled(player), Numbers{2});
+  ASSERT_TRUE(player.play_clip(1, 0, false));
+  player.play(12000);
+  EXPECT_EQ(polled(player), Numbers{2});
+  player.play(15000);
+  EXPECT_EQ(polled(player), Numbers{}) << "it has stopped";
+  ASSERT_TRUE(player.play_clip(2));
+  player.play(16000);
+  EXPECT_EQ(polled(player), Numbers{}) << "a clip without events";
+}
+
+TEST(PlayerEvents, OfAnimationsWithoutClips) {
+  Morphing scene("events");
+  EXPECT_TRUE(scene.opened.clips.empty());
+  ASSERT_TRUE(scene.open_and_fit()) << scene.player.error();
+  scene.player.play(0);
+  EXPECT_EQ(polled(scene.player), Numbers{});
+  scene.player.play(1200);
+  EXPECT_EQ(polled(scene.player), (Numbers{3, 65535}));
+  scene.player.play(2300);
+  EXPECT_EQ(polled(scene.player), Numbers{3});
+}
+
+TEST(PlayerEvents, InC) {
+  constexpr zstrip_pipeline kPipeline{drawn_with_any};
+  Morphing face("morph_face");
+  Memory memory(200'000);
+  zstrip_player* const player = zstrip_player_in(memory.span().data(), memory.span().size(), &kPipeline);
+  ASSERT_TRUE(zstrip_player_open(player, face.blob.data(), face.blob.size()));
+  std::uint16_t number = 0;
+  EXPECT_EQ(zstrip_player_poll_event(nullptr, &number), 0);
+  EXPECT_EQ(zstrip_player_poll_event(player, nullptr), 0);
+  EXPECT_EQ(zstrip_player_poll_event(player, &number), 1);
+  EXPECT_EQ(number, 7);
+  EXPECT_EQ(zstrip_player_poll_event(player, &number), 0);
+}
+
+/// Against a list of every millisecond.
+TEST(PlayerEvents, AreThoseOfEveryMillisecond) {
+  constexpr ClipEvent kEvents[] = {{0, 1, 5}, {1, 2, 0}, {1, 3, 4}, {1, 4, 5}, {1, 5, 9}};
+  for (std::uint32_t step = 1; step <= 10; ++step) {
+    std::uint32_t from = 0;
+    Numbers found, expected;
+    for (std::uint32_t now = 0, next = 0; now < 200; now += step) {
+      while (const ClipEvent* event = next_event(kEvents, 1, now % 10, 10, from)) found.push_back(event->number);
+      for (; next <= now; ++next) {
+        for (const ClipEvent& event : kEvents) {
+          if (event.clip == 1 && event.time == next % 10) expected.push_back(event.number);
+        }
+      }
+    }
+    if (step == 10) {
+      EXPECT_EQ(found, Numbers{2}) << "nothing seems to have passed";
+    } else {
+      EXPECT_EQ(found, expected) << step;
+    }
+  }
+}
+
 TEST(PlayerMorphs, PlayInC) {
   constexpr zstrip_pipeline kPipeline{drawn_with_any};
   Morphing face("morph_face");

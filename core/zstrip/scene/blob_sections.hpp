@@ -258,6 +258,7 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("VJOI"), records.vertex_joints);
   section(tag("WKEY"), records.weight_keys);
   section(tag("WTRK"), records.weight_tracks);
+  section(tag("evnt"), blob.events);
   section(tag("tree"), blob.tree.nodes);
 }
 

@@ -62,6 +62,7 @@ static_assert(sizeof(JointPose) == 32 && offsetof(JointPose, translation) == 8 &
 static_assert(sizeof(void*) != 4 || (sizeof(Skin) == 28 && sizeof(Skinning) == 112 && sizeof(Clip) == 64));
 static_assert(sizeof(MorphRun) == 6 && sizeof(MorphOffset) == 6 && sizeof(NormalOffset) == 3 &&
               sizeof(WeightKey) == 8 && offsetof(WeightKey, weight) == 4);
+static_assert(sizeof(ClipEvent) == 8 && offsetof(ClipEvent, number) == 2 && offsetof(ClipEvent, time) == 4);
 static_assert(sizeof(void*) != 4 || (sizeof(MovedMorph) == 40 && sizeof(MorphTarget) == 28));
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
@@ -524,6 +525,20 @@ Status read_characters(Reader& reader, const Records& all, const CharacterCounts
   return {};
 }
 
+/// Checks that clips and times of events exist and ascend.
+void check_events(Reader& reader, const SceneBlob& found) {
+  const ClipEvent* last = nullptr;
+  for (const ClipEvent& event : found.events) {
+    std::uint32_t duration = event.clip == 0 ? found.animation.duration : 0;
+    if (!found.clips.empty()) duration = event.clip < found.clips.size() ? found.clips[event.clip].duration() : 0;
+    reader.require(event.time < duration, &event.time);
+    const bool ascends =
+        last == nullptr || event.clip > last->clip || (event.clip == last->clip && event.time > last->time);
+    reader.require(ascends, &event);
+    last = &event;
+  }
+}
+
 /// Checks the links of a tree: each node except the first is the child of an earlier node, and names it as its parent.
 /// Triangles are in the order of the nodes. `scene` must be valid.
 void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
@@ -604,6 +619,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   if (const Status status = validate(found.animation, instances); !status) return status;
   if (!usable(found.camera) || !usable(found.camera_for(2))) return {.error = Error::camera};
   check_tree(reader, found.tree.nodes, found.scene);
+  check_events(reader, found);
   if (!reader.status()) return reader.status();
   opened = found;
   return {};

@@ -115,6 +115,9 @@ std::size_t zstrip_player_clips(const zstrip_player* player) { return player != 
 const char* zstrip_player_clip_name(const zstrip_player* player, std::size_t clip) {
   return clip < zstrip_player_clips(player) ? player->clips()[clip].name : nullptr;
 }
+int zstrip_player_poll_event(zstrip_player* player, std::uint16_t* number) {
+  return player != nullptr && number != nullptr && player->poll_event(*number) ? 1 : 0;
+}
 std::uint32_t zstrip_player_clip_time(const zstrip_player* player, std::size_t clip) {
   return clip < zstrip_player_clips(player) ? player->clips()[clip].duration() : 0;
 }

@@ -118,11 +118,12 @@ bool Player::take_table(std::size_t count, std::span<T>& table, Fault fault) {
 
 bool Player::open(const void* blob, std::size_t size) {
   is_open_ = is_fitted_ = has_clock_ = false;
-  used_ = used_open_ = time_ = 0;
+  used_ = used_open_ = time_ = event_from_ = 0;
   played_ = {};
   pose_ = nullptr;
   fault_ = Fault::none;
   baked_.clips = {};
+  baked_.events = {};
   if (blob == nullptr) return fail(Fault::null_scene);
   const std::span<std::byte> free = left();
   const Status opened = open_scene_blob({static_cast<const std::byte*>(blob), size}, free, baked_);
@@ -138,7 +139,7 @@ bool Player::open(const void* blob, std::size_t size) {
 
 bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
   is_open_ = is_fitted_ = has_clock_ = false;
-  used_ = used_open_ = time_ = 0;
+  used_ = used_open_ = time_ = event_from_ = 0;
   played_ = {};
   pose_ = nullptr;
   fault_ = Fault::none;
@@ -276,6 +277,13 @@ void Player::seek(std::uint32_t time) {
   } else {
     played_.seek(time, baked_.clips);
   }
+  event_from_ = this->time();
+}
+
+bool Player::poll_event(std::uint16_t& number) {
+  const ClipEvent* const event = next_event(baked_.events, clip(), time(), period(), event_from_);
+  if (event != nullptr) number = event->number;
+  return event != nullptr;
 }
 
 std::size_t Player::find_clip(const char* name) const {
@@ -294,6 +302,7 @@ bool Player::play_clip(std::size_t clip, std::uint16_t fade, bool loops) {
   if (!is_open_) return fail(Fault::not_open);
   if (clip >= baked_.clips.size()) return fail(Fault::no_clip, {.needed = saturated(clip)});
   played_.play(static_cast<std::uint16_t>(clip), fade, loops);
+  event_from_ = 0;
   return true;
 }
 

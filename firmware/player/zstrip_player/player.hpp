@@ -109,6 +109,10 @@ class Player {
   /// Plays a clip from its beginning. During `fade` milliseconds the clips that play go on and become this one, as by
   /// blend() of zstrip/skin.hpp; up to four clips at once. A clip that does not loop stops at its end.
   bool play_clip(std::size_t clip, std::uint16_t fade = 0, bool loops = true);
+  /// Finds the next event of the clip that was chosen last, or of the motion of a blob without clips, that play() has
+  /// reached since the call before. Returns false if there is none. Call it after play() until it returns false:
+  ///     for (std::uint16_t number; player.poll_event(number);) play_sound(number);
+  bool poll_event(std::uint16_t& number);
   /// Returns the number of the clip that was chosen last; 0 before play_clip.
   std::uint16_t clip() const { return played_.last().clip; }
 
@@ -303,6 +307,7 @@ class Player {
   std::uint32_t staged_pose_ = 0;  ///< a digest of the times of clips, of the frame that was begun last
 
   std::uint32_t time_ = 0, now_ = 0, second_began_ = 0;
+  std::uint32_t event_from_ = 0;  ///< the earliest time of an event that is due, for next_event
   bool has_clock_ = false, held_ = false;
   std::uint16_t frames_ = 0;  ///< frames since second_began_
   Angle right_ = 0, up_ = 0;

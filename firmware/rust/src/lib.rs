@@ -331,6 +331,17 @@ impl<'a> Player<'a> {
         })
     }
 
+    /// Returns the number of the next event that the clip that was chosen last has reached since the call before. Call
+    /// it after `play` until there is none.
+    pub fn poll_event(&mut self) -> Option<u16> {
+        let mut number = 0;
+        if unsafe { raw::zstrip_player_poll_event(self.raw, &mut number) } != 0 {
+            Some(number)
+        } else {
+            None
+        }
+    }
+
     /// Returns the number of the first clip of this name.
     pub fn find_clip(&self, name: &str) -> Option<usize> {
         self.clips().position(|clip| clip.name == name)

@@ -81,6 +81,7 @@ extern "C" {
     pub fn zstrip_player_clips(player: *const Opaque) -> usize;
     pub fn zstrip_player_clip_name(player: *const Opaque, clip: usize) -> *const u8;
     pub fn zstrip_player_clip_time(player: *const Opaque, clip: usize) -> u32;
+    pub fn zstrip_player_poll_event(player: *mut Opaque, number: *mut u16) -> Int;
     pub fn zstrip_player_changed(player: *mut Opaque, area: *mut crate::Area);
     pub fn zstrip_player_background(player: *mut Opaque, colour: u32);
     pub fn zstrip_player_play(player: *mut Opaque, milliseconds: u32);

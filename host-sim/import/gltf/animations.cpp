@@ -157,10 +157,25 @@ Result<std::vector<Curve<GltfMorphs::Weight>>> read_weights(const GltfJson& samp
   return curves;
 }
 
+/// Reads "extras": {"events": [seconds, number, seconds, number, ...]}, which Blender writes of an action's custom
+/// property.
+std::vector<AnimationEvent> read_events(const GltfJson& animation) {
+  std::vector<AnimationEvent> events;
+  const GltfJson& extras = member(animation, "extras");
+  for (std::size_t i = 0; i + 1 < count_of(extras, "events"); i += 2) {
+    const double seconds = to_number(element(member(extras, "events"), i), -1);
+    const double number = to_number(element(member(extras, "events"), i + 1), -1);
+    if (seconds < 0 || number < 0 || number > 0xFFFF) continue;
+    events.push_back({seconds, static_cast<std::uint16_t>(number)});
+  }
+  return events;
+}
+
 Result<NodeAnimation> read_animation(const GltfJson& from, GltfAccessors& accessors, const GltfNodes& nodes,
                                      GltfMorphs& morphs, std::uint64_t& left_out) {
   NodeAnimation animation;
   animation.name = text_in(from, "name");
+  animation.events = read_events(from);
   std::map<std::size_t, NodeCurves> moved;
   for (std::size_t k = 0; k < count_of(from, "channels"); ++k) {
     const GltfJson& channel = element(member(from, "channels"), k);

@@ -67,6 +67,7 @@ fn clips_fade(figure: &'static [u8]) {
     let clips: Vec<(String, u32)> = faded.clips().map(|clip| (clip.name.to_string(), clip.milliseconds)).collect();
     assert_eq!(clips, [("walk".to_string(), 1200), ("wave".to_string(), 1500)]);
     assert_eq!(faded.find_clip("run"), None);
+    assert_eq!(faded.poll_event(), None, "the clip has no events");
     let wave = faded.find_clip("wave").expect("a clip");
     faded.play(1000);
     faded.play(1250);
