@@ -43,9 +43,9 @@ void pack_rows(const std::byte* from, std::byte* to, std::uint32_t bytes, std::u
 /// tiles of its height. Frames may write other areas than the frame before; then everything is sent. `strips`: the
 /// strips whose fingerprints it remembers, four bytes each; further ones are always drawn.
 ///
-/// A random change of a tile is missed with a probability of 2^-32; some changes of two neighbours always are. After an
-/// error the next frame is drawn and sent whole. `panel` must outlive it, and must not be written to in another way
-/// without forget(). The same thread may use it as the panel.
+/// A change of a tile is missed with a probability of about 2^-32. After an error the next frame is drawn and sent
+/// whole. `panel` must outlive it, and must not be written to in another way without forget(). The same thread may use
+/// it as the panel.
 template <Display Panel, std::size_t tiles, std::uint16_t tile_rows = 16, std::size_t strips = 24>
 class ChangedTiles {
  public:

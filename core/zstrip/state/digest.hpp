@@ -11,8 +11,8 @@
 
 namespace zstrip::detail {
 
-/// The digest of a sequence of words. Rotation, sum and product lose nothing: digests of words that differ in one place
-/// differ; others are equal with a probability of 2^-32.
+/// The digest of a sequence of words. Its steps lose nothing: digests of words that differ in one place differ; others
+/// are equal with a probability of about 2^-32, also if only a few bits of neighbouring words differ.
 class Digest {
  public:
   constexpr explicit Digest(std::uint32_t seed) : value_(seed) {}
@@ -21,9 +21,10 @@ class Digest {
   std::uint32_t value() const { return value_ == kNever ? 1 : value_; }
 
   void add(std::uint32_t word) {
-    std::uint32_t factor = 0x9E3779B1U;  // a prime near 2^32 by the golden ratio
-    asm("" : "+r"(factor));  // GCC would replace the product by 15 shifts and sums where multipliers may be slow
-    value_ = (std::rotl(value_, 5) ^ word) * factor;
+    std::uint32_t of_words = 0x85EBCA77U, of_value = 0x9E3779B1U;  // primes of xxHash
+    // GCC would replace products by shifts and sums where multipliers may be slow.
+    asm("" : "+r"(of_words), "+r"(of_value));
+    value_ = std::rotl(value_ + word * of_words, 16) * of_value;
   }
   template <std::signed_integral T>
   void add(T value) {
