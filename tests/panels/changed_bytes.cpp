@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "bench/board_model.hpp"
 #include "measured/update.hpp"
 #include "panel/simulated_panel.hpp"
 #include "render/render_frame.hpp"
@@ -103,6 +104,37 @@ std::string over_bound(const Case& of, const measured::Row& row) {
          std::to_string(of.rectangle) + "\n";
 }
 
+/// Milliseconds of whole frames and of what changed, by the board's fastest clock.
+void write_boards(std::ostream& page, const measured::Table& table) {
+  constexpr const char* kBoards[] = {"microbit", "bluepill", "stm32f4", "pico", "esp32s3"};
+  page << R"(
+## By board
+Milliseconds on the bus, whole and only what changed, with the fastest clock that the board's chip drives a display
+with. The ST7789's data sheet allows 15 MHz; many programs run it faster.
+
+| Scene |)";
+  std::string rule = "|---|";
+  std::vector<double> clocks;
+  for (const char* const name : kBoards) {
+    clocks.push_back(sim::find_board(name)->spi_mhz);
+    char head[60];
+    std::snprintf(head, sizeof head, " `%s`, %g MHz |", name, clocks.back());
+    page << head;
+    rule += "--:|";
+  }
+  page << '\n' << rule << '\n';
+  for (const measured::Row& row : table.rows) {
+    page << "| `" << row[0] << "` |";
+    for (const double mhz : clocks) {
+      char cell[40];
+      std::snprintf(cell, sizeof cell, " %.1f, %.1f |", std::stod(row[1]) * 8 / (mhz * 1e3),
+                    std::stod(row[2]) * 8 / (mhz * 1e3));
+      page << cell;
+    }
+    page << '\n';
+  }
+}
+
 void write_page(const measured::Table& table) {
   std::ofstream page(std::filesystem::path(kFile).replace_extension(".md"));
   page << R"(# What is sent of frames
@@ -128,6 +160,7 @@ SPI at 12.5 MHz. A strip in which nothing can have changed
                   rectangle, row[4].c_str(), row[3].c_str());
     page << text;
   }
+  write_boards(page, table);
   page << "\n[The Pico's figures](pico.md) have the time of whole frames, drawing included.\n";
   if (!page.flush()) throw std::runtime_error("cannot write the page");
 }
