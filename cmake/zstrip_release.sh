@@ -10,7 +10,7 @@
 #   playground  zstrip-playground-VERSION.tar.gz, which has the programs of the part pico in it
 #   site        zstrip-site-VERSION.tar.gz, the documents, with the playground
 # and always zstrip-VERSION-source.tar.gz, from which all others are built, and SHA256SUMS. Builds in FOLDER/build, which may
-# be deleted. The same commit gives the same bytes with the same compilers. ZSTRIP_JOBS: how many compilers at a time,
+# be deleted, and is if it is another commit's. The same commit gives the same bytes with the same compilers. ZSTRIP_JOBS: how many compilers at a time,
 # 2 by default. URL is written into the files that name an address.
 # Exit status 1 if a part cannot be made or does not work; 2 for wrong words.
 set -euo pipefail
@@ -45,11 +45,15 @@ mkdir -p "$folder"
 folder=$(cd "$folder" && pwd -P)
 build=$folder/build
 rm -f "$folder"/{*.tar.gz,*.tgz,*.zip,*.deb,*.uf2,SHA256SUMS}
+# Sources of another commit may be older than the objects that ninja finds there, which it would keep.
+commit=$(git -C "$zstrip_root" rev-parse HEAD)
+[ "$(cat "$build/commit" 2>/dev/null)" = "$commit" ] || rm -rf "$build"
+mkdir -p "$build"
+echo "$commit" >"$build/commit"
 
 git -C "$zstrip_root" archive --prefix="zstrip-$version/" HEAD | gzip -9n >"$folder/zstrip-$version-source.tar.gz"
 root=$build/zstrip-$version
 rm -rf "$root"
-mkdir -p "$build"
 tar -C "$build" -xzf "$folder/zstrip-$version-source.tar.gz"
 
 # quietly WHAT COMMAND...: the output is shown if the command fails.
@@ -102,15 +106,16 @@ if wants micropython; then
   cp "$build/micropython/zstrip-micropython-$version.tar.gz" "$folder"
 fi
 
-# pico BOARD CPU
+# pico BOARD TOOLCHAIN OPTION...
 pico() {
-  configure "$1" "-DCMAKE_TOOLCHAIN_FILE=$root/cmake/toolchains/arm-none-eabi.cmake" "-DZSTRIP_CPU=$2" -DZSTRIP_HOST_SIM=OFF
+  configure "$1" "-DCMAKE_TOOLCHAIN_FILE=$root/cmake/toolchains/$2.cmake" -DZSTRIP_HOST_SIM=OFF "${@:3}"
   quietly "programs for $1" cmake --build "$build/$1" --parallel "$jobs" --target "zstrip_$1_uf2"
   cp "$build/$1"/firmware/bin/zstrip_"$1"_*.uf2 "$folder"
 }
 if wants pico; then
-  pico pico cortex-m0
-  pico pico2 cortex-m33
+  pico pico arm-none-eabi -DZSTRIP_CPU=cortex-m0
+  pico pico2 arm-none-eabi -DZSTRIP_CPU=cortex-m33
+  pico pico2_riscv rv32imac -DZSTRIP_CPU=rv32imac
 fi
 
 if wants playground; then
