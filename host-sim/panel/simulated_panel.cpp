@@ -357,7 +357,7 @@ Nanoseconds longest_cycle(BusKind bus) {
   // A strip and the blanking are read between two requests.
   RgbTimings timings = kRgbTimings480x272;
   timings.pixel = 1ns;
-  return std::chrono::microseconds(hal::kMaxScanMicroseconds) /
+  return Nanoseconds(std::chrono::microseconds(hal::kMaxScanMicroseconds)) /
          ((RgbPanel::kRows + timings.rows.total()) * timings.row_time().count());
 }
 

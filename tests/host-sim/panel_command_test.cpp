@@ -133,6 +133,11 @@ TEST_F(PanelCommand, StripsOfGroupsOfRowsAreAsHighAsTheRamAllows) {
   EXPECT_EQ(rows("ssd1306", "200K"), 64);
 }
 
+TEST_F(PanelCommand, TheSlowestPixelClockThatIsNamedIsFastEnough) {
+  EXPECT_EQ(zstrip({"-o", "a.png", "--panel", "st7262", "--bus", "rgb@172kHz", "--quiet"}).status, 0);
+  EXPECT_EQ(zstrip({"-o", "a.png", "--panel", "st7262", "--bus", "rgb@171kHz", "--quiet"}).status, 2);
+}
+
 TEST_F(PanelCommand, ASizeIsNotAdvisedToBeRotatedWhereThePanelCannot) {
   EXPECT_EQ(zstrip({"--panel", "st7262", "--size", "480x100"}).err.find("--rotation"), std::string::npos);
   EXPECT_NE(zstrip({"--panel", "st7789", "--size", "480x100"}).err.find("--rotation"), std::string::npos);
@@ -180,7 +185,8 @@ TEST_F(PanelCommand, SaysWhatCannotBeAndWhatIsNearest) {
       {{"--panel", "st7735", "--bus", "spi@40"}, "spi@40MHz"},
       {{"--panel", "st7735", "--rotation", "91"}, "0, 90, 180 or 270"},
       {{"--panel", "st7735", "--size", "160x128"}, "128x160"},
-      {{"--panel", "st7262", "--bus", "rgb@1kHz"}, "--bus rgb@1khz: the st7262 has to read a strip within 100 ms"},
+      {{"--panel", "st7262", "--bus", "rgb@1kHz"},
+       "--bus rgb@1khz: the st7262 has to read a strip within 100 ms, which takes at least 172kHz"},
       {{"--panel", "ili9341", "--format", "rgb444"}, "rgb565_swapped or rgb666"},
       {{"--panel", "st7789", "--size", "135x240", "--format", "rgb444"}, "an even width (or rotation 90, 270)"},
       {{"--panel", "ssd1306", "--strip-rows", "12"}, "multiples of 8"},
