@@ -9,6 +9,7 @@
 #include "billboards_scene.hpp"
 #include "csg_scene.hpp"
 #include "draw.hpp"
+#include "edges_scene.hpp"
 #include "lines_scene.hpp"
 #include "outlines_scene.hpp"
 #include "overlay_scene.hpp"
@@ -150,6 +151,7 @@ TEST(LeftOut, ARendererOfExactlyTheScenesShadesDrawsEachEffect) {
     expect_exact<scenes::outlines>(view);
     expect_exact<scenes::shadows>(view);
     expect_exact<scenes::csg>(view);
+    expect_exact<scenes::edges>(view);
     expect_exact<scenes::spheres>(view);
     expect_exact<scenes::overlay>(view);
   }
@@ -180,6 +182,7 @@ TEST(LeftOut, ARendererWithoutClippingDrawsWhatEffectsMakeOfInstances) {
   expect_same_turn<scenes::lines>();
   expect_same_turn<scenes::billboards>();
   expect_same_turn<scenes::csg>();
+  expect_same_turn<scenes::edges>();
   expect_same_turn<scenes::spheres>();
   expect_same_turn<scenes::overlay>();
 }

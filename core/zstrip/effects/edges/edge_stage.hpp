@@ -22,6 +22,9 @@ struct EdgeGroup {
 };
 static_assert(sizeof(EdgeGroup) == Effect::kGroupBytes && kEdgesOfGroup == 32);
 
+template <Effects effects>
+using ProjectionOf = EdgeProjection<effects.has(effect::orthographic), !effects.has(effect::unclipped)>;
+
 struct Stage : NoStage {
   static constexpr Effects kEffects = effect::edges;
 
@@ -72,7 +75,7 @@ struct Stage : NoStage {
     frame.has_special_depth = true;
     for_each_set(frame, [&](std::uint32_t instance, std::span<const Edge> edges, EdgeGroup* groups) {
       const Mesh& mesh = frame.scene->meshes[frame.instances[instance].mesh];
-      const EdgeProjection<effects.has(effect::orthographic)> projection{frame.instances[instance], mesh, frame.origin};
+      const ProjectionOf<effects> projection{frame.instances[instance], mesh, frame.origin};
       CachedMeshlet<effects> cache{frame, frame.instances[instance], mesh};
       for (; !edges.empty(); ++groups) {
         const std::size_t count = std::min<std::size_t>(edges.size(), kEdgesOfGroup);
@@ -125,9 +128,8 @@ struct Stage : NoStage {
     }
   }
 
-  template <bool orthographic, class Cache>
-  static EdgeGroup survey_group(const FrameState& frame, const EdgeProjection<orthographic>& projection,
-                                std::span<const Edge> edges, Cache& cache) {
+  template <class Projection, class Cache>
+  static EdgeGroup survey_group(const FrameState& frame, const Projection& projection, std::span<const Edge> edges, Cache& cache) {
     EdgeGroup group{0, Extent::none()};
     Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     const Edge* const begin = edges.data();
@@ -148,15 +150,15 @@ struct Stage : NoStage {
   }
 
   /// Returns true if an edge is a candidate to be seen, and extends `box` by its pixels.
-  template <bool orthographic, class Cache>
-  [[gnu::noinline]] static bool survey_edge(const EdgeProjection<orthographic>& projection, const Edge& edge,
-                                            Cache& cache, Rect& box) {
+  template <class Projection, class Cache>
+  [[gnu::noinline]] static bool survey_edge(const Projection& projection, const Edge& edge, Cache& cache, Rect& box) {
     cache.go_to(edge);
     const auto corner = [&](std::uint32_t v) { return cache.has(v) ? cache.at(v) : projection(v); };
     const bool is_border = edge.right == kNoFace;
     const SnappedVertex corners[4] = {corner(edge.a), corner(edge.b), corner(edge.left),
                                       corner(is_border ? edge.left : edge.right)};
-    if (std::ranges::all_of(corners, [](const SnappedVertex& v) { return v.x != kNotNarrow; })) {
+    const auto is_narrow = [](const SnappedVertex& v) { return v.x != kNotNarrow; };
+    if (!Projection::kClips || std::ranges::all_of(corners, is_narrow)) {
       if (!shows(edge, corners[0], corners[1], corners[2], is_border ? nullptr : &corners[3],
                  projection.instance.double_sided)) {
         return false;
@@ -165,10 +167,12 @@ struct Stage : NoStage {
       add(box, corners[1].x, corners[1].y);
       return true;
     }
-    SeenEdge seen;
-    if (!see_clipped(projection, edge, seen)) return false;
-    add(box, seen.a.x, seen.a.y);
-    add(box, seen.b.x, seen.b.y);
+    if constexpr (Projection::kClips) {
+      SeenEdge seen;
+      if (!see_clipped(projection, edge, seen)) return false;
+      add(box, seen.a.x, seen.a.y);
+      add(box, seen.b.x, seen.b.y);
+    }
     return true;
   }
 
@@ -176,8 +180,8 @@ struct Stage : NoStage {
   static void blend(const FrameState& frame, std::uint16_t strip, const EdgeTarget& target) {
     const StripGrid::Place place = frame.grid.place_of(strip);
     for_each_set(frame, [&](std::uint32_t instance, std::span<const Edge> edges, const EdgeGroup* groups) {
-      const EdgeProjection<effects.has(effect::orthographic)> projection{
-          frame.instances[instance], frame.scene->meshes[frame.instances[instance].mesh], frame.origin};
+      const ProjectionOf<effects> projection{frame.instances[instance],
+                                             frame.scene->meshes[frame.instances[instance].mesh], frame.origin};
       for (std::size_t first = 0; first < edges.size(); first += kEdgesOfGroup, ++groups) {
         if (groups->seen == 0 || !frame.grid.touches(groups->extent, place)) continue;
         std::size_t index = first;
@@ -188,18 +192,17 @@ struct Stage : NoStage {
     });
   }
 
-  template <bool orthographic>
-  static void blend_edge(const EdgeProjection<orthographic>& projection, const Edge& edge, const EdgeTarget& target) {
+  template <class Projection>
+  static void blend_edge(const Projection& projection, const Edge& edge, const EdgeTarget& target) {
     const SnappedVertex a = projection(edge.a), b = projection(edge.b);
-    const bool narrow = a.x != kNotNarrow && b.x != kNotNarrow;
+    const bool narrow = !Projection::kClips || (a.x != kNotNarrow && b.x != kNotNarrow);
     if (narrow && !EdgeBlend<std::int32_t>::crosses(target, a, b)) return;
     SeenEdge seen;
     if (!see(projection, edge, a, b, seen)) return;
-    if (seen.narrow) {
-      EdgeBlend<std::int32_t>::draw(target, seen);
-    } else {
-      EdgeBlend<std::int64_t>::draw(target, seen);
+    if constexpr (Projection::kClips) {
+      if (!seen.narrow) return EdgeBlend<std::int64_t>::draw(target, seen);
     }
+    EdgeBlend<std::int32_t>::draw(target, seen);
   }
 };
 

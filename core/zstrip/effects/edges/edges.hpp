@@ -26,9 +26,12 @@ constexpr Int twice_area(const WidePosition& a, const WidePosition& b, const Wid
   return (Int{c.x} - a.x) * (Int{b.y} - a.y) - (Int{b.x} - a.x) * (Int{c.y} - a.y);
 }
 
-/// Projects an instance's vertices one by one.
-template <bool orthographic>
+/// Projects an instance's vertices one by one. `clips`: a corner of an edge's faces may leave the narrow range or the
+/// depth range.
+template <bool orthographic, bool clips>
 struct EdgeProjection {
+  static constexpr bool kClips = clips;
+
   const CompiledInstance& instance;
   const Mesh& mesh;
   const RasterOrigin& origin;
@@ -113,7 +116,7 @@ constexpr bool show(SeenEdge& seen, const Edge& edge, Int left_area, Int right_a
 
 /// Does the work of shows() and see() for an edge whose faces leave the narrow range or the depth range.
 template <bool orthographic>
-[[gnu::noinline]] bool see_clipped(const EdgeProjection<orthographic>& projection, const Edge& edge, SeenEdge& seen) {
+[[gnu::noinline]] bool see_clipped(const EdgeProjection<orthographic, true>& projection, const Edge& edge, SeenEdge& seen) {
   SnappedSegment ends;
   const auto& positions = projection.mesh.positions;
   if (!clip_segment<orthographic, DepthFormat::z16>(projection.instance, projection.origin, positions[edge.a],
@@ -155,20 +158,25 @@ inline bool shows(const Edge& edge, const SnappedVertex& a, const SnappedVertex&
 }
 
 /// Computes how a shown edge is seen; its ends are already projected. Returns false if it is completely clipped.
-template <bool orthographic>
-bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const SnappedVertex& end_a,
-         const SnappedVertex& end_b, SeenEdge& seen) {
+template <class Projection>
+bool see(const Projection& projection, const Edge& edge, const SnappedVertex& end_a, const SnappedVertex& end_b,
+         SeenEdge& seen) {
   const auto wide = [](const SnappedVertex& v) { return WidePosition{v.x, v.y, v.depth}; };
-  if (end_a.x == kNotNarrow || end_b.x == kNotNarrow) return see_clipped(projection, edge, seen);
+  const auto is_wide = [](const auto& corner) { return Projection::kClips && corner.x == kNotNarrow; };
+  const auto clipped = [&] {
+    if constexpr (Projection::kClips) return see_clipped(projection, edge, seen);
+    return false;
+  };
+  if (is_wide(end_a) || is_wide(end_b)) return clipped();
   seen = {wide(end_a), wide(end_b), {wide(projection(edge.left))}, 1, false, true};
   const auto& [left, right] = seen.third;
-  if (left.x == kNotNarrow) return see_clipped(projection, edge, seen);
+  if (is_wide(left)) return clipped();
   const std::int32_t left_area = twice_area<std::int32_t>(seen.a, seen.b, left);
   const bool double_sided = projection.instance.double_sided;
   // If the edge is not a crease and only its left face is drawn, the right face is not needed.
   if (edge.right == kNoFace || (left_area > 0 && edge.a < edge.b && !double_sided)) return true;
   seen.third[1] = wide(projection(edge.right));
-  if (right.x == kNotNarrow) return see_clipped(projection, edge, seen);
+  if (is_wide(right)) return clipped();
   return show(seen, edge, left_area, -twice_area<std::int32_t>(seen.a, seen.b, right), double_sided);
 }
 
