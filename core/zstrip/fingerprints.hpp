@@ -24,8 +24,9 @@ void take_fingerprints(const FrameState& frame, const Camera& camera, std::uint3
 /// the same pixels in both; 0 means that nothing is known. It is found without drawing: a strip that nothing touches
 /// depends on the background alone, any other one on camera, light, materials and tables of the scene, and on the
 /// instances, sprites and labels whose boxes touch it. So a strip with a moving instance differs, and other strips
-/// do not. Quadrics and lines count for all strips that the scene's rectangle touches, as do all instances of
-/// scenes with shadows, CSG or edges. Instances with outlines or Mesh::skinning have no fingerprint.
+/// do not. With edges a box is a pixel wider on each side. Quadrics and lines count for all strips that the scene's
+/// rectangle touches, as do all instances of scenes with shadows or CSG. Instances with outlines or Mesh::skinning have
+/// no fingerprint.
 ///
 /// Unequal strips have equal fingerprints with a probability of 2^-32. The tables that a Mesh, a Texture, a Font or an
 /// OverlayImage refers to are not read: pass another `version` after the program has changed them, and if another

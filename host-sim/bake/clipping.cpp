@@ -118,13 +118,16 @@ std::string crossing(const Scene& scene, const Instance& instance, const Camera&
   return "leaves the thousand pixels around the picture's centre";
 }
 
-/// Frame `frame` of `frames` of the motion, with the movement of boards.
+/// Frame `frame` of `frames` of the motion, with the movement of boards. Edges are left out: they have the boxes of
+/// their instances.
 class MovedScene {
  public:
   MovedScene(const BakedScene& baked, const Camera& camera)
       : at_rest_{baked.scene, camera, baked.animation, baked.turn},
         instances_(baked.scene.instances.size()),
-        lines_(baked.scene.lines.size()) {}
+        lines_(baked.scene.lines.size()) {
+    at_rest_.scene.edges = {};
+  }
   scenes::BakedFrame at(std::uint32_t frame, std::uint32_t frames) {
     return scenes::stage(at_rest_, frame, frames, {.instances = instances_, .lines = lines_});
   }

@@ -33,6 +33,7 @@ class BakeClipping : public Bake {
 TEST_F(BakeClipping, IsLeftOutWhereTheWholeMotionIsInFrontOfTheCamera) {
   EXPECT_EQ(poses(kHouseModel, {"--turntable"}), 65536) << "an angle has 16 bits";
   EXPECT_EQ(poses(kHouseModel, {"--turntable", "--samples", "4", "--mode", "binned"}), 65536);
+  EXPECT_EQ(poses(kHouseModel, {"--turntable", "--edges"}), 65536);
   EXPECT_EQ(poses(ZSTRIP_SCENE_FILES "/table.toml", {}), 6000) << "the milliseconds of its animation";
   EXPECT_NE(read(path("scene.hpp")).find("in any of the 6,000 milliseconds of the animation.\n"), std::string::npos);
   // Many instances, two for each sheet, are checked in fewer poses, boards' among them.

@@ -87,8 +87,13 @@ bool has_outlines(const Scene& scene) {
 void add_surfaces(Strips& strips, const FrameState& frame, const Camera& camera, const Digest& settings) {
   const Scene& scene = *frame.scene;
   if (has_outlines(scene)) return strips.add(frame.bounds, kUnknown);
-  // A shadow, a solid or an edge may change where its own instance does not.
-  const bool connected = scene.shadow != nullptr || !scene.csg.empty() || !scene.edges.empty();
+  // A shadow or a solid may change where its own instance does not. An edge changes with its neighbours alone.
+  const bool connected = scene.shadow != nullptr || !scene.csg.empty();
+  const std::int32_t apron = scene.edges.empty() ? 0 : 1;
+  const auto add = [&](const Rect& box, std::uint32_t print) {
+    if (box.empty()) return;
+    strips.add({box.left - apron, box.top - apron, box.right + apron, box.bottom + apron}, print);
+  };
   bool known = true;
   Digest all = settings;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -100,18 +105,14 @@ void add_surfaces(Strips& strips, const FrameState& frame, const Camera& camera,
     } else if (frame.instances[i].visible) {
       Digest own = settings;
       own.add_one(&instance);
-      strips.add(bounds_of(frame.instances[i], frame.origin, frame.view, camera.projection == Projection::orthographic),
-                 is_known ? own.value() : kUnknown);
+      add(bounds_of(frame.instances[i], frame.origin, frame.view, camera.projection == Projection::orthographic),
+          is_known ? own.value() : kUnknown);
     }
   }
   if (!connected && scene.quadrics.empty() && scene.lines.empty()) return;
   all.add_all(scene.quadrics);
   all.add_all(scene.lines);
-  const std::int32_t apron = scene.edges.empty() ? 0 : 1;  // edges are blended with their neighbours
-  const Rect& bounds = frame.bounds;
-  if (bounds.empty()) return;
-  strips.add({bounds.left - apron, bounds.top - apron, bounds.right + apron, bounds.bottom + apron},
-             known ? all.value() : kUnknown);
+  add(frame.bounds, known ? all.value() : kUnknown);
 }
 
 /// Adds sprites and labels to the rows that they may touch. `seed`: of all of them.
