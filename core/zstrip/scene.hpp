@@ -426,7 +426,7 @@ constexpr std::span<const Edge> edges_of(const Scene& scene, std::uint32_t mesh)
   return {};
 }
 
-inline constexpr std::uint32_t kEdgesOfGroup = 32;  ///< edges whose state in a frame is stored together
+inline constexpr std::uint32_t kEdgesOfGroup = 8;  ///< edges whose state in a frame is stored together
 
 /// Returns the groups of kEdgesOfGroup edges of all instances; 2^32 - 1 means that many or more. Not inlined, because
 /// checks of scenes without edges call it in several places.

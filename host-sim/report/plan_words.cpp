@@ -67,7 +67,8 @@ std::vector<std::string> left_out_of_estimates(Effects effects) {
   constexpr Effects kPriced = effect::lighting | effect::gouraud | effect::vertex_colours | effect::textures |
                               effect::two_sided | effect::skins | effect::supersampled | effect::bins |
                               effect::fragments | effect::vertex_light | effect::environment | effect::outlines |
-                              effect::shadows | effect::quadrics | effect::lines | effect::dithered_format;
+                              effect::shadows | effect::quadrics | effect::lines | effect::edges |
+                              effect::dithered_format;
   constexpr Effects kNearlyFree = effect::orthographic | effect::depth_state | effect::billboards | effect::unclipped;
   std::vector<std::string> names;
   for (const EffectName& known : kEffectNames) {

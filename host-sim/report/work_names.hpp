@@ -39,7 +39,12 @@ inline constexpr std::string_view kWorkNames[] = {"textured_triangles",
                                                   "triangles_again",
                                                   "fragments_again",
                                                   "fragments_of_quadrics",
-                                                  "fragments_of_lines"};
+                                                  "fragments_of_lines",
+                                                  "searched_edges",
+                                                  "surveyed_edges",
+                                                  "projected_edges",
+                                                  "blended_edges",
+                                                  "pixels_of_edges"};
 static_assert(std::size(kWorkNames) == kWorkKinds);
 
 }  // namespace zstrip::sim

@@ -115,7 +115,8 @@ TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
   const CsgOperand operand{};
   const DirectionalLight light{};
   const auto refused = [](const Scene& scene, const View& view) {
-    const Plan large = plan(count(scene), view, without(kMore, effect::edges)).plan;
+    Plan large = plan(count(scene), view, without(kMore, effect::edges)).plan;
+    large.effect_bytes += 8192;  // room for the edges
     return begun(Renderer<kMore>(), scene, scenes::edges.camera, view, large).error;
   };
   Scene scene = scenes::edges.scene;

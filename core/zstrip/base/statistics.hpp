@@ -42,8 +42,13 @@ enum class WorkKind : std::uint8_t {
   fragments_again,
   fragments_of_quadrics,
   fragments_of_lines,
+  searched_edges,   ///< of visible instances; counted once, as the next one
+  surveyed_edges,   ///< whose faces do not show at once that the edge is not seen
+  projected_edges,  ///< that may show in a strip; counted in each
+  blended_edges,    ///< of these, the ones that cross the strip
+  pixels_of_edges,  ///< rows or columns of theirs in the strip
 };
-inline constexpr std::size_t kWorkKinds = static_cast<std::size_t>(WorkKind::fragments_of_lines) + 1;
+inline constexpr std::size_t kWorkKinds = static_cast<std::size_t>(WorkKind::pixels_of_edges) + 1;
 
 struct WorkCounts {
   std::uint32_t of[kWorkKinds] = {};

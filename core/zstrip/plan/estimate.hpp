@@ -68,6 +68,11 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     0,         // fragments_again
     340 * 8,   // fragments_of_quadrics
     26 * 8,    // fragments_of_lines
+    18 * 8,    // searched_edges; the other edges' but the next one are near what their functions take
+    1050 * 8,  // surveyed_edges, fitted over frames of six scenes of the gallery: such scenes lack more than it takes
+    190 * 8,   // projected_edges
+    500 * 8,   // blended_edges
+    75 * 8,    // pixels_of_edges
 };
 static_assert(std::size(kCostOfWork) == kWorkKinds);
 
@@ -179,6 +184,13 @@ constexpr void expect_kinds(Work& work, const SceneCounts& counts, Effects effec
   set(effect::punctual_lights, WorkKind::lights_of_vertices, lit_vertices);
   set(effect::specular, WorkKind::shining_vertices, lit_vertices);
   set(effect::environment, WorkKind::mirroring_vertices, lit_vertices);
+  // About one edge in four shows, in groups of neighbours that touch some strips.
+  const std::uint32_t edges = counts.edge_groups * std::uint32_t{kEdgesOfGroup};
+  set(effect::edges, WorkKind::searched_edges, edges);
+  set(effect::edges, WorkKind::surveyed_edges, edges / 2);
+  set(effect::edges, WorkKind::projected_edges, edges);
+  set(effect::edges, WorkKind::blended_edges, edges / 2);
+  set(effect::edges, WorkKind::pixels_of_edges, 4 * edges);
 }
 
 constexpr Work expected_work(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan) {

@@ -15,12 +15,12 @@
 
 namespace zstrip::detail::edges {
 
-/// Holds as many edges of an instance as a word has bits.
+/// Neighbouring edges of an instance. Few, so that a strip projects few edges that do not touch it.
 struct EdgeGroup {
-  std::uint32_t seen;  ///< one bit for each visible edge, the first edge in the lowest bit
-  Extent extent;       ///< the strips in which these can lie
+  std::uint8_t seen;  ///< one bit for each visible edge, the first edge in the lowest bit
+  Extent extent;      ///< the strips in which these can lie
 };
-static_assert(sizeof(EdgeGroup) == Effect::kGroupBytes && kEdgesOfGroup == 32);
+static_assert(sizeof(EdgeGroup) == Effect::kGroupBytes && kEdgesOfGroup == 8);
 
 template <Effects effects>
 using ProjectionOf = EdgeProjection<effects.has(effect::orthographic), !effects.has(effect::unclipped)>;
@@ -63,7 +63,8 @@ struct Stage : NoStage {
     copy_without_apron(own, drawn, pixels, area);
     const std::int32_t x = view.width >> 1, y = view.height >> 1;
     const auto to_raster = [x, y](const Rect& r) { return Rect{r.left - x, r.top - y, r.right - x, r.bottom - y}; };
-    blend<effects>(frame, image.strip, {to_raster(area), pixels, to_raster(drawn), own, target.area, target.depth});
+    blend<effects>(frame, image.strip, {to_raster(area), pixels, to_raster(drawn), own, target.area, target.depth},
+                   target.statistics);
     image.area = area;
     image.pixels = pixels;
   }
@@ -77,6 +78,9 @@ struct Stage : NoStage {
       const Mesh& mesh = frame.scene->meshes[frame.instances[instance].mesh];
       const ProjectionOf<effects> projection{frame.instances[instance], mesh, frame.origin};
       CachedMeshlet<effects> cache{frame, frame.instances[instance], mesh};
+      if constexpr (effects.has(effect::statistics)) {
+        frame.statistics.work[WorkKind::searched_edges] += static_cast<std::uint32_t>(edges.size());
+      }
       for (; !edges.empty(); ++groups) {
         const std::size_t count = std::min<std::size_t>(edges.size(), kEdgesOfGroup);
         *groups = survey_group(frame, projection, edges.first(count), cache);
@@ -95,6 +99,9 @@ struct Stage : NoStage {
     std::uint32_t count = 0;  ///< 0 if some vertices are not narrow
 
     bool has(std::uint32_t vertex) const { return vertex - first < count; }
+    void count_surveyed() {
+      if constexpr (effects.has(effect::statistics)) ++frame.statistics.work[WorkKind::surveyed_edges];
+    }
     const SnappedVertex& at(std::uint32_t vertex) const { return frame.vertices[vertex - first]; }
 
     /// Goes to the next meshlet with the edge's left face; does not move if there is none.
@@ -129,7 +136,8 @@ struct Stage : NoStage {
   }
 
   template <class Projection, class Cache>
-  static EdgeGroup survey_group(const FrameState& frame, const Projection& projection, std::span<const Edge> edges, Cache& cache) {
+  static EdgeGroup survey_group(const FrameState& frame, const Projection& projection, std::span<const Edge> edges,
+                                Cache& cache) {
     EdgeGroup group{0, Extent::none()};
     Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     const Edge* const begin = edges.data();
@@ -137,7 +145,10 @@ struct Stage : NoStage {
     for (const Edge* edge = begin;; ++edge) {
       edge = next_that_may_show(edge, end, frame.vertices, cache.first, cache.count);
       if (edge == end) break;
-      if (survey_edge(projection, *edge, cache, box)) group.seen |= std::uint32_t{1} << (edge - begin);
+      cache.count_surveyed();
+      if (survey_edge(projection, *edge, cache, box)) {
+        group.seen = static_cast<std::uint8_t>(group.seen | 1U << (edge - begin));
+      }
     }
     if (group.seen != 0) group.extent = frame.grid.extent_of(box);
     return group;
@@ -177,7 +188,7 @@ struct Stage : NoStage {
   }
 
   template <Effects effects>
-  static void blend(const FrameState& frame, std::uint16_t strip, const EdgeTarget& target) {
+  static void blend(const FrameState& frame, std::uint16_t strip, const EdgeTarget& target, Statistics* counters) {
     const StripGrid::Place place = frame.grid.place_of(strip);
     for_each_set(frame, [&](std::uint32_t instance, std::span<const Edge> edges, const EdgeGroup* groups) {
       const ProjectionOf<effects> projection{frame.instances[instance],
@@ -186,19 +197,32 @@ struct Stage : NoStage {
         if (groups->seen == 0 || !frame.grid.touches(groups->extent, place)) continue;
         std::size_t index = first;
         for (std::uint32_t seen = groups->seen; seen != 0; seen >>= 1, ++index) {
-          if ((seen & 1U) != 0) blend_edge(projection, edges[index], target);
+          if ((seen & 1U) != 0) blend_edge<effects>(projection, edges[index], target, counters);
         }
       }
     });
   }
 
-  template <class Projection>
-  static void blend_edge(const Projection& projection, const Edge& edge, const EdgeTarget& target) {
+  static void count_blended(const Rect& area, const SeenEdge& seen, auto& work) {
+    const auto within = [](std::int32_t p, std::int32_t q, std::int32_t first, std::int32_t end) {
+      return std::max(std::min(std::max(p, q) >> 4, end) - std::max(std::min(p, q) >> 4, first), std::int32_t{0});
+    };
+    ++work[WorkKind::blended_edges];
+    work[WorkKind::pixels_of_edges] += static_cast<std::uint32_t>(
+        std::max(within(seen.a.x, seen.b.x, area.left, area.right), within(seen.a.y, seen.b.y, area.top, area.bottom)));
+  }
+
+  template <Effects effects>
+  static void blend_edge(const ProjectionOf<effects>& projection, const Edge& edge, const EdgeTarget& target,
+                         [[maybe_unused]] Statistics* counters) {
+    using Projection = ProjectionOf<effects>;
+    if constexpr (effects.has(effect::statistics)) ++counters->work[WorkKind::projected_edges];
     const SnappedVertex a = projection(edge.a), b = projection(edge.b);
     const bool narrow = !Projection::kClips || (a.x != kNotNarrow && b.x != kNotNarrow);
     if (narrow && !EdgeBlend<std::int32_t>::crosses(target, a, b)) return;
     SeenEdge seen;
     if (!see(projection, edge, a, b, seen)) return;
+    if constexpr (effects.has(effect::statistics)) count_blended(target.area, seen, counters->work);
     if constexpr (Projection::kClips) {
       if (!seen.narrow) return EdgeBlend<std::int64_t>::draw(target, seen);
     }

@@ -116,7 +116,8 @@ constexpr bool show(SeenEdge& seen, const Edge& edge, Int left_area, Int right_a
 
 /// Does the work of shows() and see() for an edge whose faces leave the narrow range or the depth range.
 template <bool orthographic>
-[[gnu::noinline]] bool see_clipped(const EdgeProjection<orthographic, true>& projection, const Edge& edge, SeenEdge& seen) {
+[[gnu::noinline]] bool see_clipped(const EdgeProjection<orthographic, true>& projection, const Edge& edge,
+                                   SeenEdge& seen) {
   SnappedSegment ends;
   const auto& positions = projection.mesh.positions;
   if (!clip_segment<orthographic, DepthFormat::z16>(projection.instance, projection.origin, positions[edge.a],

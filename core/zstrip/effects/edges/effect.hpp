@@ -16,7 +16,7 @@ struct Effect : AnyEffect {
   static constexpr Effects kNeedMemory = effect::edges;
   static constexpr std::uint32_t kAlignment = 8;
   static constexpr std::uint32_t kStateBytes = 8;
-  static constexpr std::uint32_t kGroupBytes = 8;
+  static constexpr std::uint32_t kGroupBytes = 5;
   static constexpr std::uint64_t bytes(const SceneCounts& counts) {
     return kStateBytes + std::uint64_t{counts.edge_groups} * kGroupBytes;
   }

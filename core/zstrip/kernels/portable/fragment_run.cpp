@@ -314,16 +314,15 @@ void write_mixed(const std::uint16_t* behind, std::uint32_t material, const std:
 
 void write_fogged_light(const RunLight& light, const Colour& fog, std::int32_t visible, std::int32_t step,
                         std::uint16_t* pixels, std::int32_t count) {
-  // Light is stepped as its difference to the fog, so that a mean needs one product and one sum.
-  const std::uint32_t fog_r = fog.r, fog_g = fog.g, fog_b = fog.b;
-  std::uint32_t r = light.r - (fog_r << 16), g = light.g - (fog_g << 16), b = light.b - (fog_b << 16);
+  // Green is stepped as its difference to the fog; red and blue share a word, as in Mean.
+  const std::uint32_t fog_red_blue = std::uint32_t{fog.r} << 16 | fog.b;
+  const std::uint32_t red_blue_end = (fog_red_blue << 8) + kHalves, green_end = (std::uint32_t{fog.g} << 8) + 128;
+  std::uint32_t r = light.r, g = light.g - (std::uint32_t{fog.g} << 16), b = light.b;
   for (std::int32_t i = 0; i < count; ++i) {
     const std::uint32_t share = static_cast<std::uint32_t>(visible) >> 16;
-    const auto mixed = [share](std::uint32_t difference, std::uint32_t other) {  // the mean is in bits 8 to 15
-      return static_cast<std::uint32_t>(static_cast<std::int32_t>(difference) >> 16) * share + (other << 8) + 128;
-    };
-    const std::uint32_t red = mixed(r, fog_r), green = mixed(g, fog_g), blue = mixed(b, fog_b);
-    pixels[i] = static_cast<std::uint16_t>((red >> 11 << 11) | (green >> 10 << 5) | blue >> 11);
+    const std::uint32_t red_blue = (((r & 0xFF0000) | b >> 16) - fog_red_blue) * share + red_blue_end;
+    const std::uint32_t green = static_cast<std::uint32_t>(static_cast<std::int32_t>(g) >> 16) * share + green_end;
+    pixels[i] = static_cast<std::uint16_t>((red_blue >> 27 << 11) | (green >> 10 << 5) | (red_blue >> 11 & 0x1F));
     r += light.step_r, g += light.step_g, b += light.step_b, visible += step;
   }
 }
