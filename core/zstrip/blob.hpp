@@ -93,8 +93,8 @@ struct CharacterCounts {
   std::uint32_t targets = 0;    ///< morph targets of all these meshes
   std::uint32_t weights = 0;    ///< weights of all targets
   std::uint64_t morphed_positions = 0;  ///< vertices of all meshes with morph targets
-  std::uint64_t morphed_normals = 0;
-  std::uint64_t morphed_meshlets = 0;
+  std::uint64_t morphed_normals = 0;    ///< their normals
+  std::uint64_t morphed_meshlets = 0;   ///< their meshlets
 };
 
 /// Returns the bytes to lend in addition to scene_blob_memory, for tables, the pose, matrices, a moved meshlet, weights

@@ -44,8 +44,8 @@ struct MovedMorph {
 
 /// Meshes with morph targets, which have the same weights.
 struct MovedMorphs {
-  std::span<const MovedMorph> meshes;
-  std::span<MorphWeight> weights;
+  std::span<const MovedMorph> meshes;  ///< each with its targets and the memory of what they move
+  std::span<MorphWeight> weights;      ///< of the pose, one for each weight of the blob
 };
 
 /// A number that a program gets when a clip comes to a time: a foot touches the ground, a word begins.

@@ -79,6 +79,11 @@ void waves() {
 }
 }  // namespace characters
 
+void heard() {
+  const auto play_sound = [](std::uint16_t) {};
+  // docs/player.md: Events
+}
+
 void touched() {
   // docs/player.md: Which part was touched
 }
