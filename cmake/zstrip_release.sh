@@ -10,8 +10,8 @@
 #   playground  zstrip-playground-VERSION.tar.gz, which has the programs of the part pico in it
 #   site        zstrip-site-VERSION.tar.gz, the documents, with the playground
 # and always zstrip-VERSION-source.tar.gz, from which all others are built, and SHA256SUMS. Builds in FOLDER/build, which may
-# be deleted, and is if it is another commit's. The same commit gives the same bytes with the same compilers. ZSTRIP_JOBS: how many compilers at a time,
-# 2 by default. URL is written into the files that name an address.
+# be deleted, and is if it is another commit's. The same commit gives the same bytes with the same compilers. ZSTRIP_JOBS:
+# how many compilers at a time, 2 by default. URL is written into the files that name an address.
 # Exit status 1 if a part cannot be made or does not work; 2 for wrong words.
 set -euo pipefail
 parts=(packages debian npm rust micropython pico playground site)

@@ -1,4 +1,4 @@
-// Each scene of docs/gallery.md fits: tables so small that with the code of its effects they stay below 64 KB of flash
+// Each scene of docs/gallery.md fits: tables so small that with the code of its effects they stay below 80 KB of flash
 // (which the page has, measured), arena and strip within the memory that it is planned for.
 #include <nlohmann/json.hpp>
 
@@ -13,8 +13,8 @@ namespace {
 
 class Gallery : public FolderTest {};
 
-/// Bytes: what the effects' code leaves of 64 KB. Shadows take most of it; a scene without light has the least.
-constexpr std::size_t kTables = 36'500, kTablesBesideShadows = 13'500, kTablesWithoutLight = 40'500;
+/// Bytes: what the effects' code leaves of 80 KB, beside shadows of 66 KB. A scene without light has the least code.
+constexpr std::size_t kTables = 46'500, kTablesBesideShadows = 13'500, kTablesWithoutLight = 51'500;
 constexpr std::size_t kRam = std::size_t{22} * 1024;
 
 TEST_F(Gallery, ScenesFitIntoTheMemoryThatThePageSays) {

@@ -23,7 +23,7 @@ std::vector<measured::Row> measure(const std::string& scene, const std::filesyst
         const Counted counted = parse_counted(effects_cost::printed_on(machine, program, scene));
         if (pixels.empty()) pixels = counted.crc32;
         if (counted.crc32 != pixels) throw std::runtime_error(program.string() + " draws other pixels than the others");
-        rows.push_back(row_of(scene, machine, preset, kilobytes, counted));
+        rows.push_back(row_of(scene, machine, preset, kilobytes, counted, effects_cost::flash_of(program)));
       }
     }
   }

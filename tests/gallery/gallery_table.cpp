@@ -9,13 +9,27 @@
 namespace zstrip::gallery {
 namespace {
 
+const measured::Row& row_in(const measured::Table& table, const std::string& scene, const std::string& machine,
+                            const std::string& preset, const std::string& kilobytes) {
+  const measured::Row* const row = table.find({scene, machine, preset, kilobytes});
+  if (row == nullptr) throw std::runtime_error("there is no row of " + scene + ", " + machine + ", " + preset);
+  return *row;
+}
+
 /// "28.4".
 std::string millions(const measured::Table& table, const std::string& scene, const std::string& machine,
                      const std::string& preset, const std::string& kilobytes) {
-  const measured::Row* const row = table.find({scene, machine, preset, kilobytes});
-  if (row == nullptr) throw std::runtime_error("there is no row of " + scene + ", " + machine + ", " + preset);
-  const std::uint64_t tenths = (std::stoull(row->at(5)) + 50'000) / 100'000;
+  const measured::Row& row = row_in(table, scene, machine, preset, kilobytes);
+  const std::uint64_t tenths = (std::stoull(row.at(5)) + 50'000) / 100'000;
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
+/// "60,648", with 22 KB of RAM.
+std::string flash_bytes(const measured::Table& table, const std::string& scene, const std::string& machine,
+                        const std::string& preset) {
+  std::string digits = row_in(table, scene, machine, preset, "22").at(7);
+  if (digits.size() > 3) digits.insert(digits.size() - 3, ",");
+  return digits;
 }
 
 }  // namespace
@@ -28,7 +42,8 @@ measured::Table gallery_format() {
                       {"ram_kilobytes"},
                       {"strip_rows", measured::kExact},
                       {"instructions", measured::kInstructions},
-                      {"instructions_at_most", measured::kInstructions}}};
+                      {"instructions_at_most", measured::kInstructions},
+                      {"flash_bytes", measured::kFlash}}};
 }
 
 Counted parse_counted(const std::string& printed) {
@@ -41,7 +56,7 @@ Counted parse_counted(const std::string& printed) {
 }
 
 measured::Row row_of(const std::string& scene, const std::string& machine, const std::string& preset,
-                     const std::string& kilobytes, const Counted& counted) {
+                     const std::string& kilobytes, const Counted& counted, std::uint32_t flash) {
   const auto& frames = counted.instructions;
   const std::uint64_t sum = std::accumulate(frames.begin(), frames.end(), std::uint64_t{0});
   return {scene,
@@ -50,16 +65,19 @@ measured::Row row_of(const std::string& scene, const std::string& machine, const
           kilobytes,
           counted.strip_rows,
           std::to_string(sum / frames.size()),
-          std::to_string(*std::ranges::max_element(frames))};
+          std::to_string(*std::ranges::max_element(frames)),
+          std::to_string(flash)};
 }
 
 std::string gallery_page(const measured::Table& table) {
   std::ostringstream page;
-  page << "# Instructions of the gallery\n\nCounted by `tests/measure gallery`; [gallery.csv](gallery.csv) has the "
+  page << "# Instructions and flash of the gallery\n\nCounted by `tests/measure gallery`; [gallery.csv](gallery.csv) "
+          "has the "
           "figures themselves. Million instructions a\nframe of the [whole scenes](../gallery.md#whole-scenes) at "
           "240x240 pixels: the mean of four frames, at 0, 1/4, 1/2 and\n3/4 of the motion, in QEMU with `-icount`. "
           "Posing what "
-          "moves is not in them.\n\n";
+          "moves is not in them. Flash is that of the whole program that counts, start-up code included: a scene and "
+          "22 KB.\n\n";
   for (const std::string& note : table.notes) page << "- " << note << '\n';
   std::string heading = "| Scene | Processor ", rule = "|---|---|";
   for (const char* const preset : kPresets) {
@@ -68,6 +86,7 @@ std::string gallery_page(const measured::Table& table) {
       rule += "--:|";
     }
   }
+  for (const char* const preset : kPresets) heading += std::string("| flash, ") + preset + " ", rule += "--:|";
   page << '\n' << heading << "|\n" << rule << '\n';
   for (const char* const scene : kScenes) {
     for (const char* const machine : kMachines) {
@@ -77,6 +96,7 @@ std::string gallery_page(const measured::Table& table) {
           page << "| " << millions(table, scene, machine, preset, kilobytes) << ' ';
         }
       }
+      for (const char* const preset : kPresets) page << "| " << flash_bytes(table, scene, machine, preset) << ' ';
       page << "|\n";
     }
   }
@@ -84,8 +104,9 @@ std::string gallery_page(const measured::Table& table) {
 }
 
 PageRow row_of_page(const measured::Table& table, const std::string& scene) {
-  return {"| `" + scene + "` | ", "| " + millions(table, scene, "m3", "size", "22") + " | " +
-                                      millions(table, scene, "m3", "size", "48") + " |"};
+  return {
+      "| `" + scene + "` | " + flash_bytes(table, scene, "m3", "size") + " | ",
+      "| " + millions(table, scene, "m3", "size", "22") + " | " + millions(table, scene, "m3", "size", "48") + " |"};
 }
 
 }  // namespace zstrip::gallery

@@ -18,7 +18,7 @@ std::string text_of(const char* file) {
 measured::Table recorded() { return measured::read_table(ZSTRIP_MEASURED "/gallery.csv", gallery_format()); }
 
 /// Regression: estimates stood there, up to eight times too low.
-TEST(Gallery, ThePageHasTheInstructionsThatAreCounted) {
+TEST(Gallery, ThePageHasTheInstructionsAndBytesThatAreCounted) {
   const std::string page = text_of(ZSTRIP_MEASURED "/../gallery.md");
   for (const char* const scene : kScenes) {
     const PageRow row = row_of_page(recorded(), scene);
@@ -37,8 +37,8 @@ TEST(Gallery, TheTableOfMeasuredFiguresIsWrittenFromThem) {
 }
 
 TEST(Gallery, ARowHasTheMeanAndTheMostOfItsFrames) {
-  const measured::Row row = row_of("chess", "m3", "size", "22", parse_counted("3 0123abcd 10 20 60 30\n"));
-  EXPECT_EQ(row, (measured::Row{"chess", "m3", "size", "22", "3", "30", "60"}));
+  const measured::Row row = row_of("chess", "m3", "size", "22", parse_counted("3 0123abcd 10 20 60 30\n"), 60648);
+  EXPECT_EQ(row, (measured::Row{"chess", "m3", "size", "22", "3", "30", "60", "60648"}));
   EXPECT_THROW(parse_counted("3 0123abcd"), std::runtime_error);
 }
 

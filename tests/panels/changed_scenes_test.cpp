@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench.hpp"
+#include "render/edged_stage.hpp"
 #include "render/stage.hpp"
 #include "zstrip/fingerprints.hpp"
 #include "zstrip/overlay.hpp"
@@ -110,9 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Files, ChangedScene, testing::ValuesIn(scene_files()), 
 
 /// Neighbouring frames, the same one again, and distant ones; with ZSTRIP_LONG then every frame of the motion. A write
 /// fails now and then.
-TEST_P(ChangedScene, TheGlassShowsInEveryFrameWhatAllStripsShow) {
-  const auto stage = opened(GetParam());
-  ASSERT_NE(stage, nullptr);
+void expect_the_glass_of_all_strips(sim::Stage& stage) {
   Drawer drawer;
   int step = 0;
   std::vector<std::uint32_t> frames{0, 1, 2, 3, 3, 4, 20, 21, 21, 0, 1};
@@ -120,12 +119,28 @@ TEST_P(ChangedScene, TheGlassShowsInEveryFrameWhatAllStripsShow) {
     for (std::uint32_t frame = 0; frame < kFrames; ++frame) frames.push_back(frame);
   }
   for (const std::uint32_t frame : frames) {
-    const auto staging = stage->place(frame, kFrames);
+    const auto staging = stage.place(frame, kFrames);
     ASSERT_TRUE(staging);
     (void)drawer.draw(staging->scene, staging->camera, staging->version, step++ % 3 == 2);
     if (drawer.failed()) (void)drawer.draw(staging->scene, staging->camera, staging->version);
     ASSERT_FALSE(drawer.failed());
     ASSERT_EQ(drawer.fault(), "") << "frame " << frame;
+  }
+}
+
+TEST_P(ChangedScene, TheGlassShowsInEveryFrameWhatAllStripsShow) {
+  const auto stage = opened(GetParam());
+  ASSERT_NE(stage, nullptr);
+  expect_the_glass_of_all_strips(*stage);
+}
+
+/// Edges are blended with neighbours, which may be another instance's.
+TEST(ChangedScenes, TheGlassShowsEdgesBesideWhatMoves) {
+  for (const char* const scene : {"train", "watch", "home"}) {
+    auto stage =
+        sim::with_edges(opened(std::string(ZSTRIP_SCENE_FILES "/gallery/").append(scene).append(".toml")), true, kView);
+    ASSERT_TRUE(stage);
+    expect_the_glass_of_all_strips(**stage);
   }
 }
 

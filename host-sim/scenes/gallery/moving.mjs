@@ -15,7 +15,7 @@ const kFrames = {
   chess: 60,
   home: 60
 };
-const kQuality = 78;
+const kQuality = 76;
 const kBytes = 1.5e6;  // the README shows all of them
 
 const [zstrip, images, ...names] = process.argv.slice(2);
