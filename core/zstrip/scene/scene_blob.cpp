@@ -428,11 +428,10 @@ Status read_morphs(Reader& reader, const Records& all, MorphMemory memory, Scene
 /// Reads skins, clips and morph targets into `memory`. The scene must be valid, and its meshes lie in RAM.
 Status read_characters(Reader& reader, const Records& all, const CharacterCounts& counts, std::byte* memory,
                        SceneBlob& found) {
+  // The objects are of types whose life begins with their memory; each is assigned before it is read.
   const auto take = [&memory]<class Object>(std::span<Object>& table, std::size_t count) {
-    auto* const first = reinterpret_cast<Object*>(memory);
-    for (std::size_t i = 0; i < count; ++i) ::new (first + i) Object;
-    memory += count * sizeof(Object);
-    table = {first, count};
+    table = {reinterpret_cast<Object*>(memory), count};
+    memory += table.size_bytes();
   };
   std::span<Skin> skins;
   std::span<Clip> clips;
@@ -472,10 +471,10 @@ Status read_characters(Reader& reader, const Records& all, const CharacterCounts
     if (!reader.status()) return {};
     if (const Status status = validate(skins[i]); !status) return status;
     Skinning& skinning = found.moved.skinnings[i];
-    skinning.skin = &skins[i];
-    skinning.matrices = matrices.subspan(i * counts.joints, counts.joints);
-    skinning.positions = positions;
-    if (!mesh.normals.empty()) skinning.normals = normals;
+    skinning = {.skin = &skins[i],
+                .matrices = matrices.subspan(i * counts.joints, counts.joints),
+                .positions = positions,
+                .normals = mesh.normals.empty() ? std::span<Normal>() : normals};
     // The table of meshes lies in the lent memory.
     const_cast<Mesh&>(mesh).skinning = &skinning;
   }
