@@ -51,7 +51,7 @@ inline constexpr Board kPico{.name = "pico",
                              .family = 0xE48BFF56,
                              .flash_bytes = 2 << 20,
                              .player = "zstrip_pico_player",
-                             .player_memory = 247 * 1024,
+                             .player_memory = 246 * 1024,
                              .no_scene = ZSTRIP_PICO_NO_SCENE("")};
 /// Returns a board whose player has hot code in RAM. The scene has `bytes` less, for that code and some KB in which it
 /// may grow.
