@@ -44,9 +44,9 @@ const kSteps = 64;  // of the motion, where a host steps through it
 export function wrongWhenBaked({library, uf2, panel, zstrip, folder, options, bakeFor = []}, scene) {
   const {run, file} = commandOf(zstrip, folder);
   const picture = ['--size', '240x240', '--format', 'rgb565_swapped'];
-  run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--with', uf2, ...bakeFor);
-  run('bake', scene, '-o', 'scene.uf2', '--samples', '1', ...bakeFor);
-  run('bake', scene, '-o', 'scene.zsc', '--samples', '1', ...picture);
+  run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--no-edges', '--with', uf2, ...bakeFor);
+  run('bake', scene, '-o', 'scene.uf2', '--samples', '1', '--no-edges', ...bakeFor);
+  run('bake', scene, '-o', 'scene.zsc', '--samples', '1', '--no-edges', ...picture);
   run('render', 'scene.zsc', '-o', 'frames', '--frames', `${kSteps}`, '--image', 'ppm', ...picture);
   const flash = flashOf(file('both.uf2'));
   if (Buffer.compare(flash, flashOf(file('both.uf2'), uf2, file('scene.uf2'))) !== 0) return ['the flash differs'];

@@ -129,7 +129,7 @@ function measured({library, uf2, folder, zstrip, scene}) {
   let flash = flashOf(uf2);
   if (scene) {
     const {run, file} = commandOf(zstrip, folder);
-    run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--with', uf2);
+    run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--no-edges', '--with', uf2);
     flash = flashOf(file('both.uf2'));
   }
   // Before its first frame the player opens the scene, and that frame is sent whole.

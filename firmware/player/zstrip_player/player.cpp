@@ -226,7 +226,7 @@ bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat form
   missing_ = missing_effects(called_for, drawn_with_.effects);
   if (missing_ != Effects{}) return fail(Fault::effects);
 
-  reaches_far_ = called_for.any(effect::shadows | effect::csg | effect::outlines | effect::edges | effect::skins);
+  reaches_far_ = called_for.any(effect::shadows | effect::csg | effect::outlines | effect::skins);
   masked_ = options.masked;
   if (masked_ && is_narrow(format)) return fail(Fault::mask_format);
   seen_ = {};

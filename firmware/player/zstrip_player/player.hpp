@@ -170,7 +170,7 @@ class Player {
   /// Returns a rectangle of the picture outside of which the frame that was begun last has the pixels of the frame that
   /// was begun when changed() was called before; empty if nothing changed; the whole picture after fit. It is found
   /// from places of instances, without drawing. With FitOptions::tracks_changes it is that of the instances that moved,
-  /// unless the camera or the depth range changed, or the scene has shadows, outlines, edges, CSG or skins. What the
+  /// unless the camera or the depth range changed, or the scene has shadows, outlines, CSG or skins. What the
   /// program itself changes in a scene in RAM, except places of instances and lines and the background, is not seen.
   Rect changed();
 
