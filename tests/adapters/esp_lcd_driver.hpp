@@ -7,7 +7,7 @@
 #include "esp_lcd_panel_ops.h"
 #include "screen.hpp"
 
-/// What draw_bitmap() does on a panel.
+/// Takes the pixels of draw_bitmap() for a panel.
 struct esp_lcd_panel_t {
   std::function<esp_err_t(const zstrip::hal::Area& area, const void* pixels)> draw;
 };

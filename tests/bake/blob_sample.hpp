@@ -186,7 +186,7 @@ inline constexpr Clip kMorphClips[] = {{.name = "walk",
                                         .joints = {kWaveJoints, kWaveKeys, 700},
                                         .weights = {kWaveWeights, kWaveWeightKeys, 700}}};
 inline constexpr ClipEvent kEvents[] = {{0, 7, 0}, {0, 65535, 999}, {1, 3, 699}};
-/// What morph_bytes() needs.
+/// The memory that morph_bytes() needs.
 inline constexpr std::size_t kMorphMemory =
     kSkinMemory +
     character_memory(

@@ -31,7 +31,7 @@ TEST(SceneBlobMorphs, AreReadAsTheyWereWritten) {
     EXPECT_EQ(read.skins[i].mesh, &shown) << "a skin moves the morphed vertices";
     EXPECT_NE(morph.morph.mesh->positions.data(), shown.positions.data());
     EXPECT_EQ(morph.morph.mesh->triangles.data(), shown.triangles.data());
-    // As they were modelled, until pose_clips.
+    // Vertices are as they were modelled until pose_clips.
     expect_same_bytes(shown.positions, std::span<const Position>(kPositions));
     expect_same_bytes(shown.normals, kBindMeshes[i].normals);
     expect_same_bytes(shown.meshlets, kBindMeshes[i].meshlets);

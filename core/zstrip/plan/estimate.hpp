@@ -68,8 +68,8 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     0,         // fragments_again
     340 * 8,   // fragments_of_quadrics
     26 * 8,    // fragments_of_lines
-    18 * 8,    // searched_edges; the other edges' but the next one are near what their functions take
-    1050 * 8,  // surveyed_edges, fitted over frames of six scenes of the gallery: such scenes lack more than it takes
+    18 * 8,    // searched_edges; all but the next one are near what their functions take
+    1050 * 8,  // surveyed_edges: about 300 are theirs; the rest stands for what estimates of six gallery scenes lack
     190 * 8,   // projected_edges
     500 * 8,   // blended_edges
     75 * 8,    // pixels_of_edges
@@ -184,7 +184,7 @@ constexpr void expect_kinds(Work& work, const SceneCounts& counts, Effects effec
   set(effect::punctual_lights, WorkKind::lights_of_vertices, lit_vertices);
   set(effect::specular, WorkKind::shining_vertices, lit_vertices);
   set(effect::environment, WorkKind::mirroring_vertices, lit_vertices);
-  // About one edge in four shows, in groups of neighbours that touch some strips.
+  // Counted in these scenes, of 100 edges: 32 to 57 are surveyed, 40 to 119 projected, 22 to 72 blended.
   const std::uint32_t edges = counts.edge_groups * std::uint32_t{kEdgesOfGroup};
   set(effect::edges, WorkKind::searched_edges, edges);
   set(effect::edges, WorkKind::surveyed_edges, edges / 2);

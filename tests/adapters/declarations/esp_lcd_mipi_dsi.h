@@ -1,4 +1,4 @@
-// Of esp_lcd of ESP-IDF 5.3: the names that the adapter of MIPI-DSI panels and its program call.
+// Declares what the adapter of MIPI-DSI panels and its program call of esp_lcd, as ESP-IDF 5.3 does.
 #pragma once
 
 #include <cstdint>

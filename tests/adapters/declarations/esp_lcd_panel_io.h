@@ -1,4 +1,4 @@
-// Of esp_lcd of ESP-IDF 5: the names that the adapter calls.
+// Declares what the adapter calls of esp_lcd, as ESP-IDF 5 does.
 #pragma once
 
 using esp_err_t = int;

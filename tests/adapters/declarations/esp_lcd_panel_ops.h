@@ -1,4 +1,4 @@
-// Of esp_lcd of ESP-IDF 5: the names that adapters and programs call.
+// Declares what adapters and programs call of esp_lcd, as ESP-IDF 5 does.
 #pragma once
 
 #include "esp_lcd_panel_io.h"

@@ -1,4 +1,4 @@
-// Of esp_lcd of ESP-IDF 5: the names that the adapter of RGB panels and its program call.
+// Declares what the adapter of RGB panels and its program call of esp_lcd, as ESP-IDF 5 does.
 #pragma once
 
 #include <cstddef>
