@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "zstrip/effects/edges/apron.hpp"
 #include "zstrip/effects/overlay/text_line.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/state/bounds.hpp"
@@ -89,10 +90,8 @@ void add_surfaces(Strips& strips, const FrameState& frame, const Camera& camera,
   if (has_outlines(scene)) return strips.add(frame.bounds, kUnknown);
   // A shadow or a solid may change where its own instance does not. An edge changes with its neighbours alone.
   const bool connected = scene.shadow != nullptr || !scene.csg.empty();
-  const std::int32_t apron = scene.edges.empty() ? 0 : 1;
   const auto add = [&](const Rect& box, std::uint32_t print) {
-    if (box.empty()) return;
-    strips.add({box.left - apron, box.top - apron, box.right + apron, box.bottom + apron}, print);
+    if (!box.empty()) strips.add(scene.edges.empty() ? box : edges::box_with_apron(box), print);
   };
   bool known = true;
   Digest all = settings;

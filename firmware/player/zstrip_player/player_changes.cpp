@@ -1,6 +1,7 @@
 // The rectangle that differs from a frame before, from digests of places and from rectangles of instances.
 #include <algorithm>
 
+#include "zstrip/effects/edges/apron.hpp"
 #include "zstrip/effects/samples/samples.hpp"
 #include "zstrip/state/bounds.hpp"
 #include "zstrip/state/digest.hpp"
@@ -75,11 +76,7 @@ Rect Player::changed() {
     extend(moved, seen_.bounds);
     extend(moved, bounds);
   }
-  if (!baked_.scene.edges.empty() && !moved.empty()) {  // they are blended with their neighbours
-    moved = {std::max<std::int32_t>(moved.left - 1, 0), std::max<std::int32_t>(moved.top - 1, 0),
-             std::min<std::int32_t>(moved.right + 1, view_.width),
-             std::min<std::int32_t>(moved.bottom + 1, view_.height)};
-  }
+  if (!baked_.scene.edges.empty() && !moved.empty()) moved = detail::edges::strip_with_apron(moved, view_);
   if (!seen_.is_known || seen_.picture != picture.value()) moved = {0, 0, view_.width, view_.height};
   seen_ = {.is_known = true, .picture = picture.value(), .scene = scene.value(), .bounds = bounds};
   return moved;

@@ -13,7 +13,7 @@ bool has_apron(const FrameState& frame) {
   return false;
 }
 
-/// Returns the strip with its apron; `area` is the strip in pixels of the picture.
+/// Returns a strip, or another area of the picture, with its apron.
 inline Rect strip_with_apron(const Rect& area, const View& view) {
   return {std::max<std::int32_t>(area.left - 1, 0), std::max<std::int32_t>(area.top - 1, 0),
           std::min<std::int32_t>(area.right + 1, view.width), std::min<std::int32_t>(area.bottom + 1, view.height)};
