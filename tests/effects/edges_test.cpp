@@ -5,6 +5,7 @@
 
 #include "edges_scene.hpp"
 #include "edges_world.hpp"
+#include "zstrip/fingerprints.hpp"
 #include "zstrip_scenes/stage.hpp"
 
 namespace effects_test {
@@ -147,6 +148,32 @@ TEST(Edges, OfASheetAreSeenFromItsFront) {
   EXPECT_EQ(empty, draw<kFlatEdges>(world.without_edges(), parallel_camera(), kSquare));
   world.materials[0].double_sided = true;
   EXPECT_LT(share_of_error<kFlatEdges>(world.scene, parallel_camera(), kSquare), 0.2);
+}
+
+/// The lower edge of a sheet that stands still is blended with what moves in the strip below.
+TEST(Edges, AStripAboveWhatMovesHasAnotherFingerprint) {
+  constexpr std::uint16_t kRows = 8, kStrips = kSquare.height / kRows, kAbove = kStrips / 2 - 1;
+  using Strip = std::array<std::uint16_t, kSquare.width * kRows>;
+  World world(square(), false);
+  world.add({0, 255, 0, 255}, turned_flat(0, 1, 0, 1 + 0.3 * kPixel, 0));
+  world.add({255, 0, 0, 255}, turned_flat(0, 1, 0, -1 - 0.45 * kPixel, -1));
+  const Plan plan = zstrip::plan(count(world.scene), kSquare, kFlatEdges, {.strip_rows = kRows}).plan;
+  std::vector<std::uint64_t> arena(plan.bytes() / sizeof(std::uint64_t) + 1);
+  Renderer<kFlatEdges> renderer;
+  std::vector<Strip> seen[2]{std::vector<Strip>(kStrips), std::vector<Strip>(kStrips)};
+  std::vector<StripFingerprints<kStrips>> prints;
+  for (std::vector<Strip>& strips : seen) {
+    ASSERT_TRUE(
+        renderer.begin_frame(world.scene, parallel_camera(), kSquare, plan, std::as_writable_bytes(std::span(arena))));
+    prints.emplace_back(renderer.frame(), parallel_camera());
+    for (std::uint16_t strip = 0; strip < kStrips; ++strip) {
+      ASSERT_TRUE(renderer.draw_strip(strip, std::as_writable_bytes(std::span(strips[strip]))));
+    }
+    world.instances[1].transform.m[0][3] = to_fixed(0.5);
+  }
+  EXPECT_EQ(prints[0][0], prints[1][0]) << "nothing moves near the first strip";
+  EXPECT_NE(seen[0][kAbove], seen[1][kAbove]);
+  EXPECT_NE(prints[0][kAbove], prints[1][kAbove]);
 }
 
 TEST(Edges, HiddenOnesAreNotBlended) {
