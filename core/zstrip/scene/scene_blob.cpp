@@ -8,6 +8,7 @@
 #include <new>
 
 #include "zstrip/base/crc32.hpp"
+#include "zstrip/scene/blob_reader.hpp"
 #include "zstrip/scene/blob_sections.hpp"
 #include "zstrip/scene/validate.hpp"
 
@@ -68,122 +69,8 @@ static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colou
 
 using blob_layout::Header;
 using blob_layout::MeshRecord;
-using blob_layout::Range;
 using blob_layout::Records;
-using blob_layout::Section;
-using blob_layout::Tag;
-
-/// Reads the table of sections once, in the order of the list of known sections; keeps the first error.
-class Reader {
- public:
-  /// The envelope must have been checked: header and table lie inside the blob.
-  explicit Reader(std::span<const std::byte> blob)
-      : first_(blob.data()), size_(static_cast<std::uint32_t>(blob.size())) {
-    const auto* const header = reinterpret_cast<const Header*>(first_);
-    next_ = reinterpret_cast<const Section*>(header + 1);
-    end_ = next_ + header->sections;
-    free_ = offset_of(end_);
-  }
-
-  [[gnu::noinline]] void fail(const Status& status) {
-    if (status_) status_ = status;
-  }
-  void require(bool holds, const void* culprit) {
-    if (!holds) fail({.error = Error::blob_damaged, .needed = offset_of(culprit)});
-  }
-  /// Checks that a bool is 0 or 1: other values must not be read as a bool.
-  void flag(const bool& value) { require(*reinterpret_cast<const std::uint8_t*>(&value) <= 1, &value); }
-
-  /// The interface that blob_layout::for_each_section calls.
-  template <class Record>
-  void operator()(Tag tag, std::span<const Record>& where) {
-    static_assert(alignof(Record) <= kSceneBlobAlignment);
-    const Found found = take(tag, sizeof(Record));
-    where = {reinterpret_cast<const Record*>(found.first), found.count};
-  }
-  template <class Record>
-  void operator()(Tag tag, const Record*& where) {
-    static_assert(alignof(Record) <= kSceneBlobAlignment);
-    where = reinterpret_cast<const Record*>(take_one(tag, sizeof(Record)));
-  }
-  template <class Record>
-  void needed(Tag tag, const Record*& where) {
-    (*this)(tag, where);
-    require(where != nullptr, next_);
-  }
-  /// Call it after the last known section.
-  void finish() {
-    (void)take(0xFFFFFFFF, 1);
-    require(next_ == end_, next_);
-    require(free_ == size_, first_ + free_);
-  }
-
-  /// Returns the part of `all` that a record refers to; empty if it is out of range.
-  template <class Record>
-  std::span<const Record> some(std::span<const Record> all, const Range& range) {
-    if (!inside(range, all.size())) return {};
-    return {all.data() + range.first, range.count};
-  }
-
-  const Status& status() const { return status_; }
-
- private:
-  struct Found {
-    const std::byte* first;
-    std::uint32_t count;
-  };
-
-  std::uint32_t offset_of(const void* place) const {
-    return static_cast<std::uint32_t>(static_cast<const std::byte*>(place) - first_);
-  }
-  [[gnu::noinline]] bool inside(const Range& range, std::size_t count) {
-    const bool holds = range.first <= count && range.count <= count - range.first;
-    require(holds, &range);
-    return holds;
-  }
-  /// Returns the begin of the next section, or null if the section is not where it must be. Moves on to the section
-  /// after it.
-  [[gnu::noinline]] const std::byte* step() {
-    const Section& section = *next_++;
-    const bool ascends = section.tag() > last_, follows = section.offset == free_;
-    require(ascends, &section);
-    require(follows, &section.offset);
-    const bool fits = follows && section.bytes != 0 && section.bytes <= size_ - free_;
-    require(fits, &section.bytes);
-    last_ = section.tag();
-    if (!fits) return nullptr;
-    free_ = (section.offset + section.bytes + kSceneBlobAlignment - 1) & ~(kSceneBlobAlignment - 1);
-    return first_ + section.offset;
-  }
-  /// Returns the records of this section, or none if the section is missing. Sections before it are unknown.
-  [[gnu::noinline]] Found take(Tag tag, std::uint32_t record_bytes) {
-    while (next_ != end_ && next_->tag() < tag) {
-      (void)step();
-      // A second section with the same tag comes here, too, but step() has already reported that it does not ascend.
-      if (blob_layout::must_be_known(last_)) fail({.error = Error::blob_section, .needed = last_});
-    }
-    if (next_ == end_ || next_->tag() != tag) return {nullptr, 0};
-    const Section& section = *next_;
-    const std::byte* const first = step();
-    const std::uint32_t count = section.bytes / record_bytes;
-    const bool whole = count * record_bytes == section.bytes;
-    require(whole, &section.bytes);
-    return first != nullptr && whole ? Found{first, count} : Found{nullptr, 0};
-  }
-  [[gnu::noinline]] const std::byte* take_one(Tag tag, std::uint32_t record_bytes) {
-    const Found found = take(tag, record_bytes);
-    if (found.count > 1) require(false, &next_[-1].bytes);
-    return found.first;
-  }
-
-  const std::byte* first_;
-  std::uint32_t size_;
-  const Section* next_;
-  const Section* end_;
-  std::uint32_t free_;  ///< the offset at which the next section must begin
-  Tag last_ = 0;        ///< the tag of the section before
-  Status status_;
-};
+using detail::BlobReader;
 
 /// Checks that these bytes are a complete blob of this version.
 Status check_envelope(std::span<const std::byte> blob) {
@@ -204,16 +91,17 @@ Status check_envelope(std::span<const std::byte> blob) {
   if (blob.size() < sizeof(Header) || header.bytes > blob.size()) return damaged(blob.size());
   if (header.bytes < blob.size() || header.bytes % kSceneBlobAlignment != 0) return damaged(offsetof(Header, bytes));
   if (header.checksum != crc32(blob.subspan(blob_layout::kChecked))) return damaged(offsetof(Header, checksum));
-  if (header.sections > (header.bytes - sizeof(Header)) / sizeof(Section)) return damaged(offsetof(Header, sections));
+  if (header.sections > (header.bytes - sizeof(Header)) / sizeof(blob_layout::Section))
+    return damaged(offsetof(Header, sections));
   return {};
 }
 
-void check_camera(Reader& reader, const Camera& camera) {
+void check_camera(BlobReader& reader, const Camera& camera) {
   reader.require(camera.projection <= Projection::orthographic, &camera.projection);
   reader.flag(camera.fixed_depth_range);
 }
 
-void check_materials(Reader& reader, std::span<const Material> materials) {
+void check_materials(BlobReader& reader, std::span<const Material> materials) {
   for (const Material& material : materials) {
     reader.flag(material.lit);
     reader.flag(material.double_sided);
@@ -223,7 +111,7 @@ void check_materials(Reader& reader, std::span<const Material> materials) {
   }
 }
 
-void read_picture(Reader& reader, const blob_layout::PictureRecord& picture, SceneBlob& found) {
+void read_picture(BlobReader& reader, const blob_layout::PictureRecord& picture, SceneBlob& found) {
   for (const std::uint16_t* const side : {&picture.width, &picture.height}) {
     reader.require(*side >= 1 && *side <= kMaxViewSize, side);
   }
@@ -241,13 +129,13 @@ void read_picture(Reader& reader, const blob_layout::PictureRecord& picture, Sce
   if (known) found.effects = kPictureEffects[picture.effects];
 }
 
-void read_turn(Reader& reader, const blob_layout::TurnRecord& turn, SceneBlob& found) {
+void read_turn(BlobReader& reader, const blob_layout::TurnRecord& turn, SceneBlob& found) {
   reader.require(turn.what <= static_cast<std::uint8_t>(Turning::nothing), &turn.what);
   reader.require(turn.still_instances <= found.scene.instances.size(), &turn.still_instances);
   found.turn = {static_cast<Turning>(turn.what), turn.still_instances};
 }
 
-Mesh read_mesh(Reader& reader, const MeshRecord& record, const Records& all) {
+Mesh read_mesh(BlobReader& reader, const MeshRecord& record, const Records& all) {
   reader.require(record.billboard <= static_cast<std::uint8_t>(Billboard::upright), &record.billboard);
   reader.require(record.shadow <= static_cast<std::uint8_t>(ShadowRole::none), &record.shadow);
   return {.positions = reader.some(all.positions, record.positions),
@@ -264,7 +152,7 @@ Mesh read_mesh(Reader& reader, const MeshRecord& record, const Records& all) {
           .shadow = static_cast<ShadowRole>(record.shadow)};
 }
 
-Texture read_texture(Reader& reader, const blob_layout::TextureRecord& record, const Records& all) {
+Texture read_texture(BlobReader& reader, const blob_layout::TextureRecord& record, const Records& all) {
   reader.require(record.format <= static_cast<std::uint8_t>(TextureFormat::palette4), &record.format);
   return {.texels = reader.some(all.texels, record.texels),
           .log2_width = record.log2_width,
@@ -273,7 +161,7 @@ Texture read_texture(Reader& reader, const blob_layout::TextureRecord& record, c
           .smaller_levels = record.smaller_levels};
 }
 
-LineSet read_lines(Reader& reader, const blob_layout::LineRecord& record, const Records& all) {
+LineSet read_lines(BlobReader& reader, const blob_layout::LineRecord& record, const Records& all) {
   return {.segments = reader.some(all.segments, record.segments),
           .mesh = record.mesh,
           .material = record.material,
@@ -281,11 +169,11 @@ LineSet read_lines(Reader& reader, const blob_layout::LineRecord& record, const 
           .width = record.width};
 }
 
-EdgeSet read_edges(Reader& reader, const blob_layout::EdgeRecord& record, const Records& all) {
+EdgeSet read_edges(BlobReader& reader, const blob_layout::EdgeRecord& record, const Records& all) {
   return {.edges = reader.some(all.edges, record.edges), .mesh = record.mesh};
 }
 
-OverlayImage read_image(Reader& reader, const blob_layout::ImageRecord& record, const Records& all) {
+OverlayImage read_image(BlobReader& reader, const blob_layout::ImageRecord& record, const Records& all) {
   return {.width = record.width,
           .height = record.height,
           .colours = reader.some(all.image_colours, record.colours),
@@ -293,7 +181,7 @@ OverlayImage read_image(Reader& reader, const blob_layout::ImageRecord& record, 
           .coverage_bits = record.coverage_bits};
 }
 
-Font read_font(Reader& reader, const blob_layout::FontRecord& record, const Records& all) {
+Font read_font(BlobReader& reader, const blob_layout::FontRecord& record, const Records& all) {
   return {.glyphs = reader.some(all.glyphs, record.glyphs),
           .coverage = reader.some(all.coverage, record.coverage),
           .coverage_bits = record.coverage_bits,
@@ -302,7 +190,7 @@ Font read_font(Reader& reader, const blob_layout::FontRecord& record, const Reco
           .replacement = record.replacement};
 }
 
-Label read_label(Reader& reader, const blob_layout::LabelRecord& record, const Records& all) {
+Label read_label(BlobReader& reader, const blob_layout::LabelRecord& record, const Records& all) {
   return {.text = reader.some(all.text, record.text),
           .x = record.x,
           .y = record.y,
@@ -314,15 +202,15 @@ Label read_label(Reader& reader, const blob_layout::LabelRecord& record, const R
 
 /// Converts the records to a table in `memory`, and moves `memory` to the end of the table.
 template <class Object, class Record>
-std::span<const Object> read_table(std::byte*& memory, std::span<const Record> records, Reader& reader,
-                                   const Records& all, Object (*read)(Reader&, const Record&, const Records&)) {
+std::span<const Object> read_table(std::byte*& memory, std::span<const Record> records, BlobReader& reader,
+                                   const Records& all, Object (*read)(BlobReader&, const Record&, const Records&)) {
   auto* const table = reinterpret_cast<Object*>(memory);
   for (std::size_t i = 0; i < records.size(); ++i) ::new (table + i) Object(read(reader, records[i], all));
   memory += records.size() * sizeof(Object);
   return {table, records.size()};
 }
 
-const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memory) {
+const Overlay* read_overlay(BlobReader& reader, const Records& all, std::byte* memory) {
   // Sprites need images and labels need fonts; otherwise the blob is damaged.
   reader.require(all.sprites.empty() || !all.images.empty(), all.sprites.data());
   reader.require(all.labels.empty() || !all.fonts.empty(), all.labels.data());
@@ -338,7 +226,7 @@ const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memor
 }
 
 /// Counts what skins, clips and morph targets need in the lent memory; the meshlets need not be valid.
-CharacterCounts count_characters(Reader& reader, const Records& all) {
+CharacterCounts count_characters(BlobReader& reader, const Records& all) {
   CharacterCounts counts{.skins = static_cast<std::uint32_t>(all.skins.size()),
                          .joints = static_cast<std::uint32_t>(all.joints.size()),
                          .clips = static_cast<std::uint32_t>(all.clips.size()),
@@ -392,7 +280,7 @@ std::span<Record> copied(std::span<const Record> from, std::span<Record>& free) 
 }
 
 /// Reads morph targets, and lets the scene's meshes, which lie in RAM, have the vertices that they move.
-Status read_morphs(Reader& reader, const Records& all, MorphMemory memory, SceneBlob& found) {
+Status read_morphs(BlobReader& reader, const Records& all, MorphMemory memory, SceneBlob& found) {
   found.morphs.meshes = memory.morphs;
   std::uint32_t first_target = 0, first_run = 0;
   for (std::size_t i = 0; i < memory.morphs.size(); ++i) {
@@ -426,7 +314,7 @@ Status read_morphs(Reader& reader, const Records& all, MorphMemory memory, Scene
 }
 
 /// Reads skins, clips and morph targets into `memory`. The scene must be valid, and its meshes lie in RAM.
-Status read_characters(Reader& reader, const Records& all, const CharacterCounts& counts, std::byte* memory,
+Status read_characters(BlobReader& reader, const Records& all, const CharacterCounts& counts, std::byte* memory,
                        SceneBlob& found) {
   // The objects are of types whose life begins with their memory; each is assigned before it is read.
   const auto take = [&memory]<class Object>(std::span<Object>& table, std::size_t count) {
@@ -525,7 +413,7 @@ Status read_characters(Reader& reader, const Records& all, const CharacterCounts
 }
 
 /// Checks that clips and times of events exist and ascend.
-void check_events(Reader& reader, const SceneBlob& found) {
+void check_events(BlobReader& reader, const SceneBlob& found) {
   const ClipEvent* last = nullptr;
   for (const ClipEvent& event : found.events) {
     std::uint32_t duration = event.clip == 0 ? found.animation.duration : 0;
@@ -540,7 +428,7 @@ void check_events(Reader& reader, const SceneBlob& found) {
 
 /// Checks the links of a tree: each node except the first is the child of an earlier node, and names it as its parent.
 /// Triangles are in the order of the nodes. `scene` must be valid.
-void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
+void check_tree(BlobReader& reader, std::span<const BspNode> nodes, const Scene& scene) {
   if (nodes.empty()) return;
   reader.require(scene.instances.size() == 1, nodes.data());
   if (!reader.status()) return;
@@ -567,7 +455,7 @@ void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& sce
 
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened) {
   if (const Status status = check_envelope(blob); !status) return status;
-  Reader reader(blob);
+  BlobReader reader(blob);
   SceneBlob found;
   Records records;
   blob_layout::for_each_section(found, records, reader);
