@@ -4,6 +4,7 @@
 #include <set>
 
 #include "baked.hpp"
+#include "c_picture.hpp"
 #include "zstrip/clips.hpp"
 #include "zstrip_hal/changed_tiles.hpp"
 #include "zstrip_player/c_pipeline.hpp"
@@ -314,15 +315,7 @@ TEST(PlayerMorphs, PlayInC) {
   ASSERT_EQ(zstrip_player_play_clip(player, 1, 0, 1), 1);
   zstrip_player_play(player, 0);
   zstrip_player_play(player, 220);
-  std::vector<std::byte> pixels;
-  const auto take = [](void* context, const zstrip_strip* strip) {
-    const auto* const bytes = static_cast<const std::byte*>(strip->pixels);
-    auto& all = *static_cast<std::vector<std::byte>*>(context);
-    all.insert(all.end(), bytes, bytes + strip->bytes);
-    return 1;
-  };
-  ASSERT_TRUE(zstrip_player_draw(player, take, &pixels)) << zstrip_player_error(player);
-  EXPECT_EQ(pixels, face.expected(1, 220));
+  EXPECT_EQ(picture_in_c(player), face.expected(1, 220));
 }
 
 }  // namespace
