@@ -6,16 +6,16 @@
 #include "esp_lcd_driver.hpp"
 #include "libraries.hpp"
 
+esp_lcd_panel_t zstrip::adapters_test::panel_on_spi{[](const zstrip::hal::Area& area, const void* pixels) {
+  screen().begin(area, pixels, First::high);
+  return ESP_OK;
+}};
+
 namespace {
 
 using namespace zstrip::adapters_test;
 
 bool in_interrupt = false;
-
-esp_lcd_panel_t panel_on_spi{[](const zstrip::hal::Area& area, const void* pixels) {
-  screen().begin(area, pixels, First::high);
-  return ESP_OK;
-}};
 
 struct EspLcdParts {
   adapters::EspLcd adapter{nullptr, &panel_on_spi, kWidth, kHeight};

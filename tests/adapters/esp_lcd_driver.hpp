@@ -14,6 +14,9 @@ struct esp_lcd_panel_t {
 
 namespace zstrip::adapters_test {
 
+/// A panel on SPI, which shows what it takes on screen().
+extern esp_lcd_panel_t panel_on_spi;
+
 /// Calls the callback that an adapter has registered for a strip that was taken; nothing on a panel without callbacks.
 inline std::function<void()> has_taken = [] {};
 

@@ -9,6 +9,7 @@
 #include <freertos/task.h>
 
 #include "compare_screen.hpp"
+#include "esp_lcd_driver.hpp"
 
 extern "C" void app_main();
 
@@ -33,7 +34,8 @@ esp_err_t esp_lcd_new_panel_io_spi(esp_lcd_spi_bus_handle_t bus, const esp_lcd_p
   return after(has_bus && bus == SPI2_HOST && config->lcd_cmd_bits == 8 && config->lcd_param_bits == 8, has_io);
 }
 esp_err_t esp_lcd_new_panel_st7789(esp_lcd_panel_io_handle_t, const esp_lcd_panel_dev_config_t* config,
-                                   esp_lcd_panel_handle_t*) {
+                                   esp_lcd_panel_handle_t* panel) {
+  *panel = &zstrip::adapters_test::panel_on_spi;
   return has_io && config->bits_per_pixel == 16 ? ESP_OK : 0x102;
 }
 esp_err_t esp_lcd_panel_reset(esp_lcd_panel_handle_t) { return after(has_io, is_reset); }
