@@ -9,7 +9,7 @@ namespace zstrip::sim {
 
 /// Valid as long as the stage.
 inline BakedSkins skins_of(const Stage& stage) {
-  const Model* const model = stage.model();
+  const Model* const model = stage.bent();
   if (!stage.bends() || model == nullptr) return {};
   BakedSkins skins{model->skins, model->joints, model->rest, stage.joint_animation()};
   if (const WeightAnimation weights = stage.weight_animation(); !weights.tracks.empty()) {

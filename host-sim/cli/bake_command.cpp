@@ -109,7 +109,7 @@ Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effe
   if (!clips) return clips.failure();
   const auto bends = [](const ModelClip& clip) { return !clip.joints.view().tracks.empty(); };
   const auto morphs = [](const ModelClip& clip) { return !clip.weights.view().tracks.empty(); };
-  const Model* const model = stage.model();
+  const Model* const model = stage.bent();
   if (warn && stage.blob() != nullptr && !stage.blob()->morphs.meshes.empty()) {
     print_warning("the morph targets of a baked scene stand still; bake the model itself");
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "compose/placed_part.hpp"
 #include "compose/timeline.hpp"
 #include "import/quantise.hpp"
+#include "motion/clip_sequence.hpp"
 #include "render/model_animation.hpp"
 #include "zstrip/scene/validate.hpp"
 
@@ -27,6 +29,17 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::size_t kMaxSceneInstances = 65535, kMaxOutlines = 255;
+
+/// Durations that differ by less, in seconds, are the same in milliseconds.
+constexpr double kSameDuration = 1e-4;
+
+/// Returns the corners of the box that holds the mesh of a skin in every pose.
+std::vector<Vector> corners_of_poses(const Mesh& mesh) {
+  const Vector centre{from_fixed(mesh.centre.x), from_fixed(mesh.centre.y), from_fixed(mesh.centre.z)};
+  const Vector half{from_fixed(mesh.half_extent.x), from_fixed(mesh.half_extent.y), from_fixed(mesh.half_extent.z)};
+  return corners_of_box({centre[0] - half[0], centre[1] - half[1], centre[2] - half[2]},
+                        {centre[0] + half[0], centre[1] + half[1], centre[2] + half[2]});
+}
 
 /// Rounds to nearest; returns false if the result is out of the renderer's range.
 bool to_transform(const Affine& from, Transform& to) {
@@ -79,6 +92,7 @@ class Composer {
     if (const Result<Done> done = add_overlay(file_, *composed_); !done) return done.failure();
     leave_out_unread_normals(*composed_);
     if (const Result<Done> done = animate(); !done) return done.failure();
+    if (const Result<Done> done = bend(); !done) return done.failure();
     if (const Result<Done> done = check(); !done) return done.failure();
     return std::unique_ptr<const ComposedScene>(std::move(composed_));
   }
@@ -106,19 +120,31 @@ class Composer {
             "them",
             entry.name));
       }
-      if (!composed_->models.back().skins.empty()) {
-        composed_->warnings.push_back(fmt::format(
-            "model '{}': its skin stands as it is at rest; zstrip render and bake of the model itself move it",
-            entry.name));
-      }
       if (const Result<Done> joined = join_clips(entry, composed_->models.back(), file_.path); !joined) {
         return joined.failure();
       }
       Result<PlacedModel> placed = place_model(entry, composed_->models.back(), file_.path);
       if (!placed) return placed.failure();
       models_.push_back(std::move(*placed));
+      choose_bent(entry);
     }
     return Done{};
+  }
+
+  /// The first model that is placed and bends keeps its skins; a scene has the joints of one model.
+  void choose_bent(const FileModel& entry) {
+    PlacedModel& placed = models_.back();
+    if (!placed.bends() ||
+        std::ranges::find(file_.instances, entry.name, &FileInstance::model) == file_.instances.end())
+      return;
+    if (!bent_) {
+      bent_ = models_.size() - 1;
+      return;
+    }
+    for (ModelPart& part : placed.parts) part.skin = nullptr;
+    composed_->warnings.push_back(
+        fmt::format("model '{}': its skin stands as it is at rest, because a scene bends only one model, '{}'",
+                    entry.name, file_.models[*bent_].name));
   }
 
   /// Lists the instances to be, those of the static layer first.
@@ -220,7 +246,8 @@ class Composer {
     double radius = 0;
     const auto include = [&radius](const Vector& p) { radius = std::max(radius, std::hypot(p[0], p[1], p[2])); };
     const auto include_part = [&](const PlacedPart& placed) {
-      const std::vector<Vector> corners = corners_of(placed.part->mesh);
+      const std::vector<Vector> corners =
+          placed.bends() ? corners_of_poses(placed.part->mesh) : corners_of(placed.part->mesh);
       for (int look = 0; look < (placed.moves() ? kLooks : 1); ++look) {
         const Affine at = placed.at(duration_ * look / kLooks, duration_);
         if (placed.file->billboard != Billboard::none) {
@@ -400,6 +427,37 @@ class Composer {
     return Done{};
   }
 
+  /// Sets the joints of the model that bends, and their motion, which lasts as long as the scene's animation.
+  Result<Done> bend() {
+    Model& bent = composed_->bent;
+    if (bent.skins.empty()) return Done{};
+    const PlacedModel& placed = models_[*bent_];
+    bent.meshes = composed_->meshes;
+    bent.joints = placed.model->joints;
+    bent.rest = placed.model->rest;
+    bent.joint_nodes = placed.model->joint_nodes;
+    bent.tree = placed.model->tree;
+    bent.units = placed.model->units;
+    double largest = 0;  // length in the scene of a unit of the model
+    for (const PlacedPart& part : placed_) {
+      if (part.bends()) {
+        largest = std::max(largest, part.file->placement.scale[0] * composed_->units.scale / bent.units.scale);
+      }
+    }
+    NodeAnimation animation = *placed.animation;
+    if (std::abs(animation.duration - duration_) > kSameDuration) {
+      animation = joined_clips(bent.tree, std::vector{ClipStep{.clip = placed.animation, .seconds = duration_}});
+    }
+    Result<FittedAnimation> fitted =
+        fit_joint_animation(bent, animation, kAnimationTolerance * kComposedRadius / largest);
+    if (!fitted) {
+      return at_line(file_.path, file_.models[*bent_].line,
+                     fmt::format("[[model]]: the animation {}", fitted.failure().message));
+    }
+    composed_->joint_animation = std::move(*fitted);
+    return Done{};
+  }
+
   Result<Done> check() const {
     const Status status = validate(composed_->scene());
     if (status) return Done{};
@@ -419,6 +477,7 @@ class Composer {
   ComposedMeshes meshes_;
   ComposedMaterials materials_;
   std::vector<PlacedModel> models_;  ///< in the order of file_.models
+  std::optional<std::size_t> bent_;  ///< index into models_ of the one that bends
   std::vector<PlacedPart> placed_;
   std::deque<ModelPart> billboard_parts_;
   std::deque<FileInstance> line_instances_;  ///< instances that would place the models of lines

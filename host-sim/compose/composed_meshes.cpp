@@ -31,6 +31,7 @@ std::vector<Normal> scaled_normals(std::span<const Normal> normals, const Vector
 }  // namespace
 
 Vector ComposedMeshes::scale_of(const PlacedPart& placed) {
+  if (placed.bends()) return {1, 1, 1};  // joints move it in the units of its model
   const Affine& to_file = placed.part->to_file;
   Vector scale = placed.file->placement.scale;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -84,6 +85,11 @@ std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& s
   }
   const auto index = static_cast<std::uint16_t>(scene_.meshes.size());
   scene_.meshes.push_back(mesh);
+  if (placed.bends()) {
+    ModelSkin& skin = scene_.bent.skins.emplace_back(*placed.part->skin);
+    skin.mesh = index;
+    skin.bind.shadow = mesh.shadow;
+  }
   known_[key] = index;
   return index;
 }
@@ -129,6 +135,9 @@ void leave_out_unread_normals(ComposedScene& scene) {
   }
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (!is_read[i]) scene.meshes[i].normals = {};
+  }
+  for (ModelSkin& skin : scene.bent.skins) {
+    if (!is_read[skin.mesh]) skin.bind.normals = {};
   }
 }
 

@@ -48,7 +48,10 @@ struct ComposedScene {
   Colour ambient, background;
   std::size_t static_instances = 0;
   FittedAnimation animation;
-  Units units;  ///< of the file's lengths
+  Model bent;                       ///< the joints and skins of the one model that bends, whose meshes are `meshes`;
+                                    ///< empty: nothing bends
+  FittedAnimation joint_animation;  ///< of bent.joints; as long as `animation`
+  Units units;                      ///< of the file's lengths
   std::vector<std::string> material_names;
   std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model of the material
   std::string fog_origin, shadow_origin, csg_origin;

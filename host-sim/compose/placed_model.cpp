@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -18,6 +19,16 @@ Affine PlacedModel::placed(const ModelPart& part, double seconds) const {
   if (!moves(part)) return part.to_file;
   if (seconds > animation->duration) seconds = std::fmod(seconds, animation->duration);
   return moved_from_rest(*model, *animation, part.node, seconds) * part.to_file;
+}
+
+bool PlacedModel::bends() const {
+  if (animation == nullptr || std::ranges::none_of(parts, [](const ModelPart& part) { return part.skin != nullptr; })) {
+    return false;
+  }
+  return std::ranges::any_of(model->joint_nodes, [this](const ModelJoint& joint) {
+    return joint.node != kNoNode &&
+           std::ranges::find(animation->moved, joint.node, &NodeCurves::node) != animation->moved.end();
+  });
 }
 
 Result<Done> join_clips(const FileModel& entry, Model& model, const std::filesystem::path& scene) {
@@ -62,7 +73,12 @@ Result<PlacedModel> place_model(const FileModel& entry, const Model& model, cons
   const Affine to_file = translation(model.units.origin) * scaling({size, size, size});
   for (std::size_t i = 0; i < model.instances.size(); ++i) {
     const Instance& instance = model.instances[i];
-    placed.parts.push_back({model.meshes[instance.mesh], instance.material, to_file, model.nodes[i]});
+    const auto skin = std::ranges::find(model.skins, std::size_t{instance.mesh}, &ModelSkin::mesh);
+    placed.parts.push_back({.mesh = model.meshes[instance.mesh],
+                            .material = instance.material,
+                            .to_file = to_file,
+                            .node = model.nodes[i],
+                            .skin = skin == model.skins.end() ? nullptr : &*skin});
   }
   for (const LineSet& set : model.lines) {
     placed.lines.push_back({{model.meshes[set.mesh], set.material, to_file, kNoNode}, set.segments});

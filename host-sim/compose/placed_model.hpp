@@ -18,6 +18,7 @@ struct ModelPart {
   std::uint16_t material = 0;  ///< index into PlacedModel::materials
   Affine to_file;              ///< from the mesh's object space to the model's coordinates, at rest
   std::int32_t node = kNoNode;
+  const ModelSkin* skin = nullptr;  ///< null: no joint moves its vertices
 };
 
 /// Lines or points of a model that are not edges of triangles. They do not move.
@@ -40,6 +41,8 @@ struct PlacedModel {
   bool moves(const ModelPart& part) const {
     return animation != nullptr && part.node != kNoNode && model->tree.moves(*animation, part.node);
   }
+  /// True if the animation moves joints of a skin.
+  bool bends() const;
   /// Returns the map from the part's object space to the model's coordinates. An animation that is shorter than the
   /// time is repeated.
   Affine placed(const ModelPart& part, double seconds) const;

@@ -28,7 +28,7 @@ double duration_of(const SceneFile& file, std::span<const PlacedPart> placed) {
   const std::set<double> times = keyframe_times(file);
   double longest = times.empty() ? 0 : *times.rbegin();
   for (const PlacedPart& each : placed) {
-    if (each.model->moves(*each.part)) longest = std::max(longest, each.model->animation->duration);
+    if (each.model->moves(*each.part) || each.bends()) longest = std::max(longest, each.model->animation->duration);
   }
   return file.duration.value_or(longest > 0 ? longest : kTurntableSeconds);
 }

@@ -24,15 +24,9 @@ inline constexpr double kMaxAnimation = 3600;  ///< seconds
 /// Largest error of keyframes, relative to the scene's radius: a tenth of a pixel if the radius fills 320 pixels.
 inline constexpr double kAnimationTolerance = 1.0 / 1600;
 
-/// Owns the data that an Animation views. Stays valid when it is moved; cannot be copied.
+/// Owns the data that an Animation views, which stays valid when it is moved.
 class FittedAnimation {
  public:
-  FittedAnimation() = default;
-  FittedAnimation(FittedAnimation&&) = default;
-  FittedAnimation& operator=(FittedAnimation&&) = default;
-  FittedAnimation(const FittedAnimation&) = delete;
-  FittedAnimation& operator=(const FittedAnimation&) = delete;
-
   Animation view() const { return {tracks_, keyframes_, duration_}; }
   /// Returns the largest distance of a corner from its exact place, over all sampled times; in the scene's units.
   double error() const { return error_; }

@@ -9,6 +9,7 @@
 #include "import/quantise.hpp"
 #include "render/camera_stage.hpp"
 #include "render/model_animation.hpp"
+#include "render/skinned_meshes.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 
 namespace zstrip::sim {
@@ -85,7 +86,10 @@ Result<Camera> finished_camera(const SceneFile& file, const Units& units, double
 class ComposedStage : public CameraStage {
  public:
   ComposedStage(std::shared_ptr<const SceneFile> file, std::shared_ptr<const ComposedScene> composed)
-      : file_(std::move(file)), composed_(std::move(composed)), instances_(composed_->instances) {}
+      : file_(std::move(file)),
+        composed_(std::move(composed)),
+        instances_(composed_->instances),
+        skins_(composed_->bent, joint_animation(), {}, file_->path.filename().string()) {}
   ComposedStage(const ComposedStage&) = delete;
   ComposedStage& operator=(const ComposedStage&) = delete;
 
@@ -97,9 +101,15 @@ class ComposedStage : public CameraStage {
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    const scenes::BakedFrame staged = scenes::stage({composed_->scene(), chosen_camera(), animation(), turn()}, frame,
-                                                    frames, {.instances = instances_});
-    return Staging{staged.scene, staged.camera};
+    Scene at_rest = composed_->scene();
+    if (bends()) {
+      const Result<std::span<const Mesh>> meshes = skins_.at(frame, frames);
+      if (!meshes) return meshes.failure();
+      at_rest.meshes = *meshes;
+    }
+    const scenes::BakedFrame staged =
+        scenes::stage({at_rest, chosen_camera(), animation(), turn()}, frame, frames, {.instances = instances_});
+    return Staging{.scene = staged.scene, .camera = staged.camera, .version = bends() ? frame + 1 : 0};
   }
 
   std::unique_ptr<Stage> copy() const override {
@@ -110,9 +120,22 @@ class ComposedStage : public CameraStage {
 
   const std::vector<std::string>& warnings() const override { return composed_->warnings; }
   Animation animation() const override { return composed_->animation.view(); }
-  std::vector<ClipEvent> events() const override { return fit_events(file_->events, animation().duration); }
+  bool bends() const override { return skins_.moves(); }
+  const Model* bent() const override { return bends() ? &composed_->bent : nullptr; }
+  Animation joint_animation() const override { return composed_->joint_animation.view(); }
+  /// With skins, the one clip that moves joints and instances.
+  Result<std::vector<ModelClip>> clips() const override {
+    std::vector<ModelClip> clips;
+    if (bends()) clips.push_back({{}, composed_->animation, composed_->joint_animation, {}, events()});
+    return clips;
+  }
+  std::vector<ClipEvent> events() const override {
+    return fit_events(file_->events, bends() ? joint_animation().duration : animation().duration);
+  }
   /// The number of instances fits in 16 bits.
-  Turn turn() const override { return {Turning::instances, static_cast<std::uint16_t>(composed_->static_instances)}; }
+  Turn turn() const override {
+    return {bends() ? Turning::nothing : Turning::instances, static_cast<std::uint16_t>(composed_->static_instances)};
+  }
   Origins origins() const override {
     const bool own_projection = file_->camera && !options().placed() && !options().orthographic;
     return {composed_->material_names,
@@ -129,6 +152,12 @@ class ComposedStage : public CameraStage {
     const std::vector<Instance> poses = all_poses(animation(), composed_->instances);
     Scene whole = composed_->scene();
     whole.instances = poses;
+    SkinnedMeshes skins(composed_->bent, joint_animation(), {}, file_->path.filename().string());
+    if (bends()) {
+      const Result<std::span<const Mesh>> posed = skins.all_poses();
+      if (!posed) return posed.failure();
+      whole.meshes = *posed;
+    }
     const double radius = radius_about_origin(whole);
     if (options().placed()) {
       Result<Camera> camera = place_camera(options(), composed_->units, radius);
@@ -148,13 +177,14 @@ class ComposedStage : public CameraStage {
                          frame_scene(whole, {.aspect = static_cast<double>(view().width) / view().height,
                                              .half_tangent = std::tan(degrees * std::numbers::pi / 360),
                                              .orthographic = options().orthographic,
-                                             .whole_turn = frames > 1 && animation().tracks.empty()}),
+                                             .whole_turn = frames > 1 && animation().tracks.empty() && !bends()}),
                          radius);
   }
 
   std::shared_ptr<const SceneFile> file_;
   std::shared_ptr<const ComposedScene> composed_;
   std::vector<Instance> instances_;
+  SkinnedMeshes skins_;
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ class EdgedStage : public Stage {
   const std::vector<std::string>& warnings() const override { return stage_->warnings(); }
   Animation animation() const override { return stage_->animation(); }
   bool bends() const override { return stage_->bends(); }
+  const Model* bent() const override { return stage_->bent(); }
   Animation joint_animation() const override { return stage_->joint_animation(); }
   Result<std::vector<ModelClip>> clips() const override { return stage_->clips(); }
   WeightAnimation weight_animation() const override { return stage_->weight_animation(); }

@@ -76,7 +76,7 @@ Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimat
   return fit_animation(motions, animation.duration, key_times(animation), kAnimationTolerance);
 }
 
-Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation) {
+Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation, double tolerance) {
   std::size_t longest = 1;  // length of the longest chain of joints, along which errors add up
   std::vector<InstanceMotion> motions;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
@@ -91,8 +91,7 @@ Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimat
          .at = [&model, &animation, i](double seconds) { return local_of(model, i, &animation, seconds); },
          .corners = corners_of_box({-reach, -reach, -reach}, {reach, reach, reach})});
   }
-  return fit_animation(motions, animation.duration, key_times(animation),
-                       kAnimationTolerance / static_cast<double>(longest));
+  return fit_animation(motions, animation.duration, key_times(animation), tolerance / static_cast<double>(longest));
 }
 
 Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation) {

@@ -31,7 +31,9 @@ std::vector<Vector> corners_of(const Mesh& mesh);
 Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimation& animation);
 
 /// Converts the animation of the model's joints, which its tracks refer to. The failure's message starts with a verb.
-Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation);
+/// `tolerance`: the largest distance of a vertex from its place, in the model's scene units.
+Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation,
+                                            double tolerance = kAnimationTolerance);
 
 /// Converts the animation of the model's weights. The failure's message starts with a verb.
 Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation);

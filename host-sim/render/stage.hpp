@@ -49,11 +49,13 @@ class Stage {
   virtual Animation animation() const { return {}; }
   /// True if meshes differ from frame to frame.
   virtual bool bends() const { return false; }
-  /// Returns the motion of the joints of model()'s skins, if they move. Valid as long as the stage.
+  /// Returns the model of the meshes that bend: its skins, morph targets and joints; null if nothing can bend.
+  virtual const Model* bent() const { return model(); }
+  /// Returns the motion of the joints of bent()'s skins, if they move. Valid as long as the stage.
   virtual Animation joint_animation() const { return {}; }
   /// Returns the animations that a blob keeps, those of a model file that move something: the chosen one, or all.
   virtual Result<std::vector<ModelClip>> clips() const { return std::vector<ModelClip>(); }
-  /// Returns the motion of the weights of model()'s morph targets, if they move. Valid as long as the stage.
+  /// Returns the motion of the weights of bent()'s morph targets, if they move. Valid as long as the stage.
   virtual WeightAnimation weight_animation() const { return {}; }
   /// Returns the events of animation(), as those of clip 0.
   virtual std::vector<ClipEvent> events() const { return {}; }

@@ -34,6 +34,32 @@ TEST_F(Bake, BlobsDrawTheClipsOfAFigure) {
   EXPECT_EQ(flash.at("total"), std::filesystem::file_size(path("figure.zsc")));
 }
 
+/// A blob of a scene file has one clip: the sequence of the file's clips, and the motion of the other models.
+TEST_F(Bake, SceneFilesBendOneModel) {
+  const std::string walker = BAKE_MODELS "/walker.toml";
+  report({"bake", walker, "-o", "walker.zsc", "--no-edges"});
+  const std::vector<std::string> frames = crcs(walker, {"--no-edges"}, 7);
+  EXPECT_EQ(crcs("walker.zsc", {}, 7), frames);
+  EXPECT_EQ(std::set<std::string>(frames.begin(), frames.end()).size(), 7U);
+  EXPECT_EQ(crcs(walker, {"--no-edges", "--strip-rows", "7", "--threads", "3"}, 7), frames);
+  const auto message = [this](const std::string& instance, int status) {
+    const std::string figure = "file = '" ZSTRIP_SCENE_FILES "/figure/figure.gltf'\n";
+    file("bent.toml", "[[model]]\nname = 'a'\n" + figure + "[[model]]\nname = 'b'\n" + figure +
+                          "[[instance]]\nmodel = 'a'\n" + instance);
+    const Outcome outcome = zstrip({"render", "bent.toml", "-o", "bent.png", "--quiet"});
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_EQ(message("", 0), "") << "'b' is not in the picture";
+  EXPECT_NE(message("[[instance]]\nmodel = 'b'\n", 0)
+                .find("model 'b': its skin stands as it is at rest, because a scene "
+                      "bends only one model, 'a'"),
+            std::string::npos);
+  EXPECT_NE(message("layer = 'static'\n", 4).find("static layer cannot have an animation"), std::string::npos);
+  EXPECT_NE(message("outline = { width = 2 }\n", 4).find("an outline does not bend"), std::string::npos);
+  EXPECT_NE(message("scale = [1, 2, 1]\n", 4).find("can only be scaled evenly"), std::string::npos);
+}
+
 /// What cannot move a skin says so, or refuses what would be wrong.
 TEST_F(Bake, SkinsStandStillWithEdgesAndHaveNoOrderOfTriangles) {
   const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";

@@ -33,6 +33,7 @@ export function welded(faces, crease = 40) {
 export const joined = (a, b) => ({
   vertices: [...a.vertices, ...b.vertices],
   triangles: [...a.triangles, ...b.triangles.map((t) => t.map((i) => i + a.vertices.length))],
+  covered: [...a.covered ?? [], ...b.covered ?? []],
 });
 
 function hit(from, along, triangle, reach) {
@@ -78,7 +79,7 @@ export function occluded(mesh, {others = [], reach = 1, rays = 48, dark = [0.3, 
   return mesh;
 }
 
-const BYTE = 5120, SHORT = 5123, FLOAT = 5126;
+const BYTE = 5120, UNSIGNED_BYTE = 5121, SHORT = 5123, FLOAT = 5126;
 
 // Collects the parts of a binary glTF file.
 function packer(texcoords) {
@@ -154,7 +155,24 @@ function packer(texcoords) {
     ]));
     console.log(`${file}: ${triangles} triangles, ${vertices} vertices`);
   };
-  return {primitive, times, keys, write};
+  // Adds to a primitive the joints that move its vertices; returns the accessor of their matrices. places: of the
+  // joints, by name; vertex.joints: {joint's name: weight}, at most four, whose sum is 1.
+  const bind = (primitive, mesh, places) => {
+    const names = Object.keys(places), four = (values) => [...values, 0, 0, 0, 0].slice(0, 4);
+    const put4 = (rows, normalized) =>
+        put(Buffer.from(rows.flat()), {componentType: UNSIGNED_BYTE, normalized, count: rows.length, type: 'VEC4'});
+    primitive.attributes.JOINTS_0 =
+        put4(mesh.vertices.map((v) => four(Object.keys(v.joints).map((name) => names.indexOf(name)))), false);
+    primitive.attributes.WEIGHTS_0 = put4(mesh.vertices.map((v) => {
+      const weights = four(Object.values(v.joints).map((weight) => Math.round(255 * weight)));
+      weights[0] += 255 - weights.reduce((a, b) => a + b);
+      return weights;
+    }), true);
+    const matrices =
+        Object.values(places).map((at) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...at.map((v) => -v), 1]);
+    return put(floats(matrices), {componentType: FLOAT, count: matrices.length, type: 'MAT4'});
+  };
+  return {primitive, times, keys, bind, write};
 }
 
 // Writes a binary glTF file. parts: {material name: mesh of welded()}; one node. Texture coordinates only where wanted.
@@ -168,13 +186,36 @@ export function writeModel(file, parts, {texcoords = false} = {}) {
 // is where the bone's joint is, seen from the joint above. clips: {name: {seconds, keys, pose(share)}}; pose() of 0 to
 // 1 is {bone's name: {turn: degrees about x, then y, then z; move: from its place}}.
 export function writeFigure(file, bones, clips) {
-  const {primitive, times, keys, write} = packer(false);
-  const meshes = bones.map(({mesh}) => ({primitives: [primitive(mesh, 0)]}));
-  const nodes = bones.map(({name, at}, mesh) => ({name, mesh, translation: at}));
-  bones.forEach(({name}, i) => {
-    const children = bones.flatMap(({parent}, k) => (parent === name ? [k] : []));
-    if (children.length) nodes[i].children = children;
+  const pack = packer(false);
+  const meshes = bones.map(({mesh}) => ({primitives: [pack.primitive(mesh, 0)]}));
+  const nodes = nodesOf(bones).map(({name, ...rest}, mesh) => ({name, mesh, ...rest}));
+  pack.write(
+      file, ['figure'], {scenes: [{nodes: [0]}], nodes, meshes, animations: animationsOf(bones, clips, pack)});
+}
+
+// Writes a binary glTF file of one mesh whose vertices several joints move. bones and clips: as of writeFigure(),
+// without meshes; mesh: of welded(), with `joints` of each vertex: {bone's name: weight}.
+export function writeSkin(file, bones, mesh, clips) {
+  const pack = packer(false), primitive = pack.primitive(mesh, 0), places = {};
+  for (const {name, parent, at} of bones) places[name] = add(places[parent] ?? [0, 0, 0], at);
+  const skin = {joints: bones.map((_, i) => i), inverseBindMatrices: pack.bind(primitive, mesh, places)};
+  pack.write(file, ['figure'], {
+    scenes: [{nodes: [0, bones.length]}],
+    nodes: [...nodesOf(bones), {mesh: 0, skin: 0}],
+    skins: [skin],
+    meshes: [{primitives: [primitive]}],
+    animations: animationsOf(bones, clips, pack)
   });
+}
+
+function nodesOf(bones) {
+  return bones.map(({name, at}) => {
+    const children = bones.flatMap(({parent}, k) => (parent === name ? [k] : []));
+    return {name, translation: at, ...(children.length && {children})};
+  });
+}
+
+function animationsOf(bones, clips, {times, keys}) {
   const quaternion = (turn) => {
     const [x, y, z] = turn.map((degrees) => degrees * Math.PI / 360), {sin, cos} = Math;
     return [
@@ -182,7 +223,7 @@ export function writeFigure(file, bones, clips) {
       cos(x) * cos(y) * sin(z) - sin(x) * sin(y) * cos(z), cos(x) * cos(y) * cos(z) + sin(x) * sin(y) * sin(z)
     ];
   };
-  const animations = Object.entries(clips).map(([name, {seconds, keys: count, pose}]) => {
+  return Object.entries(clips).map(([name, {seconds, keys: count, pose}]) => {
     const shares = Array.from({length: count + 1}, (_, i) => i / count), poses = shares.map(pose);
     const input = times(shares.map((share) => share * seconds)), samplers = [], channels = [];
     bones.forEach((bone, node) => {
@@ -199,5 +240,4 @@ export function writeFigure(file, bones, clips) {
     });
     return {name, samplers, channels};
   });
-  write(file, ['figure'], {scenes: [{nodes: [0]}], nodes, meshes, animations});
 }
