@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# guest.sh ROOT FOLDER [PANEL]: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/{amd64,armhf,arm64}:
+# guest.sh ROOT FOLDER [PANEL [arm64]]: real Debian kernels with zstrip-panel as machines for QEMU, in
+# FOLDER/{amd64,armhf}, and in FOLDER/arm64 if that word is there:
 # `kernel`, `initrd`, for Arm `panels.dtb`, for armhf also `stuck-bus.dtb` (the emulator's device tree, and what
 # panels.dtsi and stuck_bus.dtsi have on its GPIO chip) and `sabrelite.dtb` (the kernel's own of a board with I2C).
 # PANEL is the host's program; those for Arm are built here, zstrip-panel and, for armhf with libgpiod 2 of Debian 13,
@@ -10,7 +11,7 @@
 # 77; where only those of Debian 13 cannot, FOLDER/missing-gpiod2 does, and the machines are made without the second
 # program.
 set -euo pipefail
-root=$1 folder=$2 panel=${3-}
+root=$1 folder=$2 panel=${3-} more=${4-}
 scripts=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 mkdir -p "$folder/downloads"
 cd "$folder"
@@ -226,15 +227,17 @@ qemu-system-arm -M virt,highmem=off,dumpdtb=armhf/machine.dtb -cpu cortex-a15 -m
 tree armhf panels panels.dtsi  # SPI by spi-gpio, lines with names
 tree armhf stuck-bus stuck_bus.dtsi
 
-build_panel arm64 aarch64-linux-gnu "$arm64_kernel"
-# The kernels of NEON against the portable ones, as in user mode, but with the registers that this kernel saves.
-mkdir -p arm64/more
-printf '#include "%s"\n' "$root"/tests/targets/program/kernels.cpp "$root"/tests/kernels/*.cpp |
-  aarch64-linux-gnu-g++ -std=c++20 -O1 -static -I"$root/core" -I"$root/tests/kernels" -o arm64/more/zstrip-kernels \
-    -x c++ - -x none arm64/build/core/libzstrip_core.a
-pack arm64 arm64/panel virtio_pci virtio_gpu spi_gpio
-qemu-system-aarch64 -M virt,dumpdtb=arm64/machine.dtb -cpu cortex-a53 -m 256 -display none >/dev/null 2>&1
-tree arm64 panels panels.dtsi
+if [ "$more" = arm64 ]; then
+  build_panel arm64 aarch64-linux-gnu "$arm64_kernel"
+  # The kernels of NEON against the portable ones, as in user mode, but with the registers that this kernel saves.
+  mkdir -p arm64/more
+  printf '#include "%s"\n' "$root"/tests/targets/program/kernels.cpp "$root"/tests/kernels/*.cpp |
+    aarch64-linux-gnu-g++ -std=c++20 -O1 -static -I"$root/core" -I"$root/tests/kernels" -o arm64/more/zstrip-kernels \
+      -x c++ - -x none arm64/build/core/libzstrip_core.a
+  pack arm64 arm64/panel virtio_pci virtio_gpu spi_gpio
+  qemu-system-aarch64 -M virt,dumpdtb=arm64/machine.dtb -cpu cortex-a53 -m 256 -display none >/dev/null 2>&1
+  tree arm64 panels panels.dtsi
+fi
 
 unpack amd64/packages busybox-static:amd64/bookworm "$amd64_kernel:amd64"
 pack amd64 "$panel" cirrus cirrusfb bochs
