@@ -33,7 +33,7 @@ constexpr std::size_t kMaxSceneInstances = 65535, kMaxOutlines = 255;
 /// Durations that differ by less, in seconds, are the same in milliseconds.
 constexpr double kSameDuration = 1e-4;
 
-/// Returns the corners of the box that holds the mesh of a skin in every pose.
+/// Returns the corners of the box that holds a mesh that bends in every pose.
 std::vector<Vector> corners_of_poses(const Mesh& mesh) {
   const Vector centre{from_fixed(mesh.centre.x), from_fixed(mesh.centre.y), from_fixed(mesh.centre.z)};
   const Vector half{from_fixed(mesh.half_extent.x), from_fixed(mesh.half_extent.y), from_fixed(mesh.half_extent.z)};
@@ -114,12 +114,6 @@ class Composer {
       for (const std::string& warning : composed_->models.back().warnings) {
         composed_->warnings.push_back(fmt::format("model '{}': {}", entry.name, warning));
       }
-      if (!composed_->models.back().morphs.empty()) {
-        composed_->warnings.push_back(fmt::format(
-            "model '{}': its morph targets stand as they are at rest; zstrip render and bake of the model itself move "
-            "them",
-            entry.name));
-      }
       if (const Result<Done> joined = join_clips(entry, composed_->models.back(), file_.path); !joined) {
         return joined.failure();
       }
@@ -131,7 +125,7 @@ class Composer {
     return Done{};
   }
 
-  /// The first model that is placed and bends keeps its skins; a scene has the joints of one model.
+  /// The first model that is placed and bends keeps its skins and morph targets; a scene has those of one model.
   void choose_bent(const FileModel& entry) {
     PlacedModel& placed = models_.back();
     if (!placed.bends() ||
@@ -141,10 +135,10 @@ class Composer {
       bent_ = models_.size() - 1;
       return;
     }
-    for (ModelPart& part : placed.parts) part.skin = nullptr;
+    for (ModelPart& part : placed.parts) part.skin = nullptr, part.morph = nullptr;
     composed_->warnings.push_back(
-        fmt::format("model '{}': its skin stands as it is at rest, because a scene bends only one model, '{}'",
-                    entry.name, file_.models[*bent_].name));
+        fmt::format("model '{}': it does not bend, because a scene bends only one model, '{}'", entry.name,
+                    file_.models[*bent_].name));
   }
 
   /// Lists the instances to be, those of the static layer first.
@@ -419,7 +413,7 @@ class Composer {
   }
 
   Result<Done> animate() {
-    if (motions_.empty()) return Done{};
+    if (motions_.empty() && !bent_) return Done{};  // what bends lasts as long as what moves
     Result<FittedAnimation> fitted = fit_animation(motions_, duration_, all_key_times(file_, models_, duration_),
                                                    kAnimationTolerance * kComposedRadius);
     if (!fitted) return at_line(file_.path, 1, "the animation " + fitted.failure().message);
@@ -427,16 +421,18 @@ class Composer {
     return Done{};
   }
 
-  /// Sets the joints of the model that bends, and their motion, which lasts as long as the scene's animation.
+  /// Sets the joints and weights of the model that bends, and their motion, which lasts as long as the scene's
+  /// animation.
   Result<Done> bend() {
     Model& bent = composed_->bent;
-    if (bent.skins.empty()) return Done{};
+    if (bent.skins.empty() && bent.morphs.empty()) return Done{};
     const PlacedModel& placed = models_[*bent_];
     bent.meshes = composed_->meshes;
     bent.joints = placed.model->joints;
     bent.rest = placed.model->rest;
     bent.joint_nodes = placed.model->joint_nodes;
     bent.tree = placed.model->tree;
+    bent.weights = placed.model->weights;
     bent.units = placed.model->units;
     double largest = 0;  // length in the scene of a unit of the model
     for (const PlacedPart& part : placed_) {
@@ -448,13 +444,16 @@ class Composer {
     if (std::abs(animation.duration - duration_) > kSameDuration) {
       animation = joined_clips(bent.tree, std::vector{ClipStep{.clip = placed.animation, .seconds = duration_}});
     }
-    Result<FittedAnimation> fitted =
-        fit_joint_animation(bent, animation, kAnimationTolerance * kComposedRadius / largest);
-    if (!fitted) {
-      return at_line(file_.path, file_.models[*bent_].line,
-                     fmt::format("[[model]]: the animation {}", fitted.failure().message));
-    }
-    composed_->joint_animation = std::move(*fitted);
+    const double tolerance = kAnimationTolerance * kComposedRadius / largest;
+    const auto wrong = [this](const Failure& failure) {
+      return at_line(file_.path, file_.models[*bent_].line, "[[model]]: the animation " + failure.message);
+    };
+    Result<FittedAnimation> joints = fit_joint_animation(bent, animation, tolerance);
+    if (!joints) return wrong(joints.failure());
+    Result<FittedWeights> weights = fit_weight_animation(bent, animation, tolerance);
+    if (!weights) return wrong(weights.failure());
+    composed_->joint_animation = std::move(*joints);
+    composed_->weight_animation = std::move(*weights);
     return Done{};
   }
 

@@ -31,7 +31,7 @@ std::vector<Normal> scaled_normals(std::span<const Normal> normals, const Vector
 }  // namespace
 
 Vector ComposedMeshes::scale_of(const PlacedPart& placed) {
-  if (placed.bends()) return {1, 1, 1};  // joints move it in the units of its model
+  if (placed.bends()) return {1, 1, 1};  // joints and morph targets move it in the units of its model
   const Affine& to_file = placed.part->to_file;
   Vector scale = placed.file->placement.scale;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -85,10 +85,15 @@ std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& s
   }
   const auto index = static_cast<std::uint16_t>(scene_.meshes.size());
   scene_.meshes.push_back(mesh);
-  if (placed.bends()) {
+  if (placed.bends() && placed.part->skin != nullptr) {
     ModelSkin& skin = scene_.bent.skins.emplace_back(*placed.part->skin);
     skin.mesh = index;
     skin.bind.shadow = mesh.shadow;
+  }
+  if (placed.bends() && placed.part->morph != nullptr) {
+    ModelMorph& morph = scene_.bent.morphs.emplace_back(*placed.part->morph);
+    morph.mesh = index;
+    morph.base.shadow = mesh.shadow;
   }
   known_[key] = index;
   return index;
@@ -138,6 +143,11 @@ void leave_out_unread_normals(ComposedScene& scene) {
   }
   for (ModelSkin& skin : scene.bent.skins) {
     if (!is_read[skin.mesh]) skin.bind.normals = {};
+  }
+  for (ModelMorph& morph : scene.bent.morphs) {
+    if (is_read[morph.mesh]) continue;
+    morph.base.normals = {};
+    for (MorphTarget& target : morph.targets) target.normals = {};
   }
 }
 

@@ -11,6 +11,7 @@
 #include "compose/scene_file.hpp"
 #include "import/model.hpp"
 #include "motion/fitted_animation.hpp"
+#include "motion/fitted_weights.hpp"
 #include "result.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
@@ -48,9 +49,10 @@ struct ComposedScene {
   Colour ambient, background;
   std::size_t static_instances = 0;
   FittedAnimation animation;
-  Model bent;                       ///< the joints and skins of the one model that bends, whose meshes are `meshes`;
-                                    ///< empty: nothing bends
+  Model bent;                       ///< joints, skins and morph targets of the one model that bends, whose meshes are
+                                    ///< `meshes`; empty: nothing bends
   FittedAnimation joint_animation;  ///< of bent.joints; as long as `animation`
+  FittedWeights weight_animation;   ///< of bent.weights; as long as `animation`
   Units units;                      ///< of the file's lengths
   std::vector<std::string> material_names;
   std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model of the material

@@ -22,12 +22,14 @@ Affine PlacedModel::placed(const ModelPart& part, double seconds) const {
 }
 
 bool PlacedModel::bends() const {
-  if (animation == nullptr || std::ranges::none_of(parts, [](const ModelPart& part) { return part.skin != nullptr; })) {
-    return false;
-  }
-  return std::ranges::any_of(model->joint_nodes, [this](const ModelJoint& joint) {
+  if (animation == nullptr) return false;
+  const auto is_moved = [this](const ModelJoint& joint) {
     return joint.node != kNoNode &&
            std::ranges::find(animation->moved, joint.node, &NodeCurves::node) != animation->moved.end();
+  };
+  const bool moves_joints = std::ranges::any_of(model->joint_nodes, is_moved);
+  return std::ranges::any_of(parts, [&](const ModelPart& part) {
+    return (part.skin != nullptr && moves_joints) || (part.morph != nullptr && !animation->weights.empty());
   });
 }
 
@@ -78,7 +80,8 @@ Result<PlacedModel> place_model(const FileModel& entry, const Model& model, cons
                             .material = instance.material,
                             .to_file = to_file,
                             .node = model.nodes[i],
-                            .skin = skin == model.skins.end() ? nullptr : &*skin});
+                            .skin = skin == model.skins.end() ? nullptr : &*skin,
+                            .morph = model.morph_of(instance.mesh)});
   }
   for (const LineSet& set : model.lines) {
     placed.lines.push_back({{model.meshes[set.mesh], set.material, to_file, kNoNode}, set.segments});

@@ -18,7 +18,8 @@ struct ModelPart {
   std::uint16_t material = 0;  ///< index into PlacedModel::materials
   Affine to_file;              ///< from the mesh's object space to the model's coordinates, at rest
   std::int32_t node = kNoNode;
-  const ModelSkin* skin = nullptr;  ///< null: no joint moves its vertices
+  const ModelSkin* skin = nullptr;    ///< null: no joint moves its vertices
+  const ModelMorph* morph = nullptr;  ///< null: it has no morph targets
 };
 
 /// Lines or points of a model that are not edges of triangles. They do not move.
@@ -41,7 +42,7 @@ struct PlacedModel {
   bool moves(const ModelPart& part) const {
     return animation != nullptr && part.node != kNoNode && model->tree.moves(*animation, part.node);
   }
-  /// True if the animation moves joints of a skin.
+  /// True if the animation moves vertices of a part: by joints of a skin or by weights of morph targets.
   bool bends() const;
   /// Returns the map from the part's object space to the model's coordinates. An animation that is shorter than the
   /// time is repeated.

@@ -39,7 +39,8 @@ ModelPart around_origin(const ModelPart& part) {
 Result<Done> check_placed(const PlacedPart& placed, const std::filesystem::path& scene) {
   const auto wrong = [&](const char* what) { return at_line(scene, placed.file->line, what); };
   const bool animated = placed.model->moves(*placed.part) || placed.bends();
-  if (placed.bends() && placed.file->outline) return wrong("an outline does not bend, and joints move this model");
+  if (placed.bends() && placed.file->outline)
+    return wrong("an outline does not bend, and joints or morph targets move this model");
   if (placed.file->is_static && animated) {
     return wrong("an instance of the static layer cannot have an animation; its model has one");
   }

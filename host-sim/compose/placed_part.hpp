@@ -18,8 +18,8 @@ struct PlacedPart {
   std::size_t model_index = 0, part_index = 0;
 
   bool moves() const { return file->moves() || model->moves(*part); }
-  /// True if joints move its vertices.
-  bool bends() const { return part->skin != nullptr && model->bends(); }
+  /// True if joints or morph targets move its vertices.
+  bool bends() const { return (part->skin != nullptr || part->morph != nullptr) && model->bends(); }
   bool scaled_evenly() const {
     const Vector& scale = file->placement.scale;
     return scale[0] == scale[1] && scale[1] == scale[2];

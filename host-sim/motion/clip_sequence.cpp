@@ -2,6 +2,7 @@
 #include "motion/clip_sequence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -13,8 +14,17 @@ namespace {
 constexpr double kValuesPerSecond = 60;
 constexpr double kJump = 1e-4;  // seconds that a step without a fade takes to begin
 
+double time_in(const NodeAnimation& clip, double seconds) {
+  return seconds > clip.duration ? std::fmod(seconds, clip.duration) : seconds;
+}
+
 Placement placement_of(const NodeTree& tree, const NodeAnimation& clip, std::int32_t node, double seconds) {
-  return tree.placement(clip, node, seconds > clip.duration ? std::fmod(seconds, clip.duration) : seconds);
+  return tree.placement(clip, node, time_in(clip, seconds));
+}
+
+double weight_of(const NodeAnimation& clip, std::uint32_t weight, double seconds) {
+  const auto found = std::ranges::find(clip.weights, weight, &WeightCurve::weight);
+  return found == clip.weights.end() ? 0 : sample(found->curve, time_in(clip, seconds));
 }
 
 Vector mixed(const Vector& a, const Vector& b, double share) {
@@ -33,15 +43,27 @@ Placement at(const NodeTree& tree, std::span<const ClipStep> steps, std::size_t 
           mixed(other.scale, own.scale, share)};
 }
 
+/// Returns a weight `seconds` after the start of step `i`.
+double weight_at(std::span<const ClipStep> steps, std::size_t i, std::uint32_t weight, double seconds) {
+  const ClipStep& step = steps[i];
+  const double own = weight_of(*step.clip, weight, seconds);
+  if (seconds >= step.fade) return own;
+  const ClipStep& before = steps[(i + steps.size() - 1) % steps.size()];
+  const double other = weight_of(*before.clip, weight, before.seconds + seconds);
+  return other + (own - other) * seconds / step.fade;
+}
+
 }  // namespace
 
 NodeAnimation joined_clips(const NodeTree& tree, std::span<const ClipStep> steps) {
   NodeAnimation joined;
   std::set<std::int32_t> nodes;
+  std::set<std::uint32_t> weights;
   std::vector<std::pair<std::size_t, double>> times;  // a step, and seconds after its start
   std::vector<double> starts;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     for (const NodeCurves& curves : steps[i].clip->moved) nodes.insert(curves.node);
+    for (const WeightCurve& curve : steps[i].clip->weights) weights.insert(curve.weight);
     starts.push_back(joined.duration);
     const bool next_jumps = steps[(i + 1) % steps.size()].fade == 0;
     const double last = steps[i].seconds - (next_jumps ? std::min(kJump, steps[i].seconds / 2) : 0);
@@ -61,6 +83,13 @@ NodeAnimation joined_clips(const NodeTree& tree, std::span<const ClipStep> steps
       curves.translation.values.push_back(placement.translation);
       curves.rotation.values.push_back(placement.rotation);
       curves.scale.values.push_back(placement.scale);
+    }
+  }
+  for (const std::uint32_t weight : weights) {
+    Curve<std::array<double, 1>>& curve = joined.weights.emplace_back(WeightCurve{.weight = weight, .curve = {}}).curve;
+    for (const auto& [step, seconds] : times) {
+      curve.times.push_back(starts[step] + seconds);
+      curve.values.push_back({weight_at(steps, step, weight, seconds)});
     }
   }
   return joined;

@@ -10,15 +10,9 @@
 
 namespace zstrip::sim {
 
-/// Owns the data that a WeightAnimation views. Stays valid when it is moved; cannot be copied.
+/// Owns the data that a WeightAnimation views, which stays valid when it is moved.
 class FittedWeights {
  public:
-  FittedWeights() = default;
-  FittedWeights(FittedWeights&&) = default;
-  FittedWeights& operator=(FittedWeights&&) = default;
-  FittedWeights(const FittedWeights&) = delete;
-  FittedWeights& operator=(const FittedWeights&) = delete;
-
   WeightAnimation view() const { return {tracks_, keys_, duration_}; }
 
  private:

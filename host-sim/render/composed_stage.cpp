@@ -1,6 +1,7 @@
 // A stage for a scene file (.toml).
 #include "render/composed_stage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -89,7 +90,7 @@ class ComposedStage : public CameraStage {
       : file_(std::move(file)),
         composed_(std::move(composed)),
         instances_(composed_->instances),
-        skins_(composed_->bent, joint_animation(), {}, file_->path.filename().string()) {}
+        skins_(composed_->bent, joint_animation(), weight_animation(), file_->path.filename().string()) {}
   ComposedStage(const ComposedStage&) = delete;
   ComposedStage& operator=(const ComposedStage&) = delete;
 
@@ -123,14 +124,18 @@ class ComposedStage : public CameraStage {
   bool bends() const override { return skins_.moves(); }
   const Model* bent() const override { return bends() ? &composed_->bent : nullptr; }
   Animation joint_animation() const override { return composed_->joint_animation.view(); }
-  /// With skins, the one clip that moves joints and instances.
+  WeightAnimation weight_animation() const override { return composed_->weight_animation.view(); }
+  /// If something bends, the one clip that moves joints, weights and instances.
   Result<std::vector<ModelClip>> clips() const override {
     std::vector<ModelClip> clips;
-    if (bends()) clips.push_back({{}, composed_->animation, composed_->joint_animation, {}, events()});
+    if (bends()) {
+      clips.push_back({{}, composed_->animation, composed_->joint_animation, composed_->weight_animation, events()});
+    }
     return clips;
   }
   std::vector<ClipEvent> events() const override {
-    return fit_events(file_->events, bends() ? joint_animation().duration : animation().duration);
+    return fit_events(file_->events,
+                      std::max({animation().duration, joint_animation().duration, weight_animation().duration}));
   }
   /// The number of instances fits in 16 bits.
   Turn turn() const override {
@@ -152,7 +157,7 @@ class ComposedStage : public CameraStage {
     const std::vector<Instance> poses = all_poses(animation(), composed_->instances);
     Scene whole = composed_->scene();
     whole.instances = poses;
-    SkinnedMeshes skins(composed_->bent, joint_animation(), {}, file_->path.filename().string());
+    SkinnedMeshes skins(composed_->bent, joint_animation(), weight_animation(), file_->path.filename().string());
     if (bends()) {
       const Result<std::span<const Mesh>> posed = skins.all_poses();
       if (!posed) return posed.failure();

@@ -94,13 +94,13 @@ Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimat
   return fit_animation(motions, animation.duration, key_times(animation), tolerance / static_cast<double>(longest));
 }
 
-Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation) {
+Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation, double tolerance) {
   // Normals move, too: an error of a weight must not be seen in the light, either.
   constexpr double kMaxError = 1.0 / 256, kMinError = 1.0 / 2048;
   std::vector<double> tolerances;
   for (const ModelWeight& weight : model.weights) {
     const double together = weight.reach * static_cast<double>(animation.weights.size());
-    tolerances.push_back(together > 0 ? std::clamp(kAnimationTolerance / together, kMinError, kMaxError) : kMaxError);
+    tolerances.push_back(together > 0 ? std::clamp(tolerance / together, kMinError, kMaxError) : kMaxError);
   }
   return fit_weights(animation, tolerances);
 }

@@ -35,8 +35,9 @@ Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimat
 Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation,
                                             double tolerance = kAnimationTolerance);
 
-/// Converts the animation of the model's weights. The failure's message starts with a verb.
-Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation);
+/// Converts the animation of the model's weights; else as fit_joint_animation.
+Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimation& animation,
+                                           double tolerance = kAnimationTolerance);
 
 /// Returns the events of an animation of `duration` milliseconds in their order, one a time; later ones are left out.
 std::vector<ClipEvent> fit_events(std::span<const AnimationEvent> events, std::uint32_t duration);

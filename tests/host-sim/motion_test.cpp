@@ -156,23 +156,27 @@ TEST(Motion, ClipsFadeIntoTheNext) {
   standing.rotation = {.times = {0}, .values = {about_axis({0, 1, 0}, -30)}, .slopes_in = {}, .slopes_out = {}};
   standing.translation = {.times = {0}, .values = {{4, 0, 0}}, .slopes_in = {}, .slopes_out = {}};
   turns.moved = {turning};
+  turns.weights = {{.weight = 3, .curve = {.times = {0, 1}, .values = {{0}, {1}}, .slopes_in = {}, .slopes_out = {}}}};
   stands.moved = {standing};
   const std::array<ClipStep, 2> steps{
       {{.clip = &turns, .seconds = 1.5, .fade = 0.5}, {.clip = &stands, .seconds = 1, .fade = 0.5}}};
   const NodeAnimation joined = joined_clips(tree, steps);
   EXPECT_DOUBLE_EQ(joined.duration, 2.5);
+  ASSERT_EQ(joined.weights.size(), 1U);
+  EXPECT_EQ(joined.weights[0].weight, 3U);
   struct Pose {
-    double seconds, degrees, x;
+    double seconds, degrees, x, weight;
   };
-  for (const Pose& pose : {Pose{0, -30, 4},       // fades from the last step, which goes on
-                           Pose{0.25, -3.75, 3},  // half of -30 and of 22.5
-                           Pose{0.75, 67.5, 2},   // the first clip alone, whose file moves it by nothing
-                           Pose{1.25, 22.5, 2},   // it has begun again
-                           Pose{1.75, 18.75, 3},  // half of 67.5, where the first would be, and of -30
-                           Pose{2.25, -30, 4}}) {
+  for (const Pose& pose : {Pose{0, -30, 4, 0},           // fades from the last step, which goes on
+                           Pose{0.25, -3.75, 3, 0.125},  // half of -30 and of 22.5
+                           Pose{0.75, 67.5, 2, 0.75},    // the first clip alone, whose file moves it by nothing
+                           Pose{1.25, 22.5, 2, 0.25},    // it has begun again
+                           Pose{1.75, 18.75, 3, 0.375},  // half of 67.5, where the first would be, and of -30
+                           Pose{2.25, -30, 4, 0}}) {
     EXPECT_LT(largest_difference(tree.at(joined, 0, pose.seconds), turned_about_y(pose.degrees, {pose.x, 1, 0}, 1)),
               1e-9)
         << pose.seconds;
+    EXPECT_NEAR(sample(joined.weights[0].curve, pose.seconds), pose.weight, 1e-9) << pose.seconds;
   }
 }
 
