@@ -68,7 +68,7 @@ struct BakedScene {
   Turn turn{};
   BakedSkins skins{};                          ///< of a header
   const BlobCharacters* characters = nullptr;  ///< of a blob; null: nothing bends, and there is one animation or none
-  std::span<const ClipEvent> events{};         ///< of a blob
+  std::span<const ClipEvent> events{};         ///< of a blob's clips; of a header's motion as clip 0
   std::size_t edges_left_out = 0;              ///< by ShownEdges
   std::string unclipped_where{};               ///< with effect::unclipped: the poses that were checked, as text
 };

@@ -196,5 +196,8 @@ std::string literal(const MorphRun& run) {
 std::string literal(const MorphOffset& offset) { return fmt::format("{{{}, {}, {}}}", offset.x, offset.y, offset.z); }
 std::string literal(const NormalOffset& offset) { return fmt::format("{{{}, {}, {}}}", offset.x, offset.y, offset.z); }
 std::string literal(const WeightKey& key) { return fmt::format("{{{}, {}}}", key.time, key.weight); }
+std::string literal(const ClipEvent& event) {
+  return fmt::format("{{{}, {}, {}}}", event.clip, event.number, event.time);
+}
 
 }  // namespace zstrip::sim

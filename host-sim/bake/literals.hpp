@@ -9,6 +9,7 @@
 #include <string>
 
 #include "zstrip/animation.hpp"
+#include "zstrip/clips.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/morph.hpp"
 #include "zstrip/overlay.hpp"
@@ -60,6 +61,7 @@ std::string literal(const MorphRun& run);
 std::string literal(const MorphOffset& offset);
 std::string literal(const NormalOffset& offset);
 std::string literal(const WeightKey& key);
+std::string literal(const ClipEvent& event);
 const char* turning_name(Turning turning);
 
 /// Returns the definition of an array that is not empty, in lines of a header's width.

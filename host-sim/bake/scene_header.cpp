@@ -33,6 +33,7 @@ class Header {
           "view.hpp"}) {
       if (header != nullptr) out_.line(fmt::format("#include \"zstrip/{}\"", header));
     }
+    if (!baked_.events.empty()) out_.line("#include \"zstrip/clips.hpp\"");
     if (!baked_.tree.nodes.empty()) out_.line("#include \"zstrip/scene/bsp_tree.hpp\"");
     if (scene_.overlay != nullptr) out_.line("#include \"zstrip/overlay.hpp\"");
     if (baked_.effects.methods != 0) out_.line("#include \"zstrip/visibility.hpp\"");
@@ -288,6 +289,9 @@ class Header {
     out_.line("/// The motion of a scene without tracks, if several frames are shown.");
     out_.line(fmt::format("inline constexpr zstrip::Turn kTurn{{.what = zstrip::Turning::{}, .still_instances = {}}};",
                           turning_name(baked_.turn.what), baked_.turn.still_instances));
+    if (baked_.events.empty()) return;
+    out_.line("/// Numbers for the program at times of the motion, for zstrip::next_event or the player.");
+    out_.array("zstrip::ClipEvent", "kEvents", baked_.events);
   }
 
   const char* projection_name() const {

@@ -428,7 +428,7 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   if (shown) baked->edges_left_out = shown->left_out();
   if (characters) baked->characters = &*characters;
   const std::vector<ClipEvent> events = events_of(output_skins->clips, **stage);
-  if (characters || !baked->animation.tracks.empty()) baked->events = events;
+  if (characters || !baked->animation.tracks.empty() || skins.move()) baked->events = events;
   if (project) {
     if (const Result<Done> shown_by = check_for_project(*baked, arguments.name_space, *project); !shown_by) {
       return shown_by.failure();

@@ -61,6 +61,14 @@ TEST_F(Bake, SceneFilesBendOneModel) {
   EXPECT_NE(message("scale = [1, 2, 1]\n", 4).find("can only be scaled evenly"), std::string::npos);
 }
 
+TEST_F(Bake, HeadersHaveTheEventsOfTheirMotion) {
+  report({"bake", BAKE_MODELS "/talker.toml", "-o", "talker.hpp"});
+  const std::string header = read(path("talker.hpp"));
+  EXPECT_NE(header.find("inline constexpr zstrip::ClipEvent kEvents[2] = {\n    {0, 65535, 0}, {0, 5, 1200}};"),
+            std::string::npos);
+  EXPECT_NE(header.find("#include \"zstrip/clips.hpp\""), std::string::npos);
+}
+
 /// What cannot move a skin says so, or refuses what would be wrong.
 TEST_F(Bake, SkinsStandStillWithEdgesAndHaveNoOrderOfTriangles) {
   const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";

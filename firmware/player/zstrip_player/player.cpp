@@ -137,7 +137,7 @@ bool Player::open(const void* blob, std::size_t size) {
   return true;
 }
 
-bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
+bool Player::open(const scenes::AtRest& scene, const View& baked_for, std::span<const ClipEvent> events) {
   is_open_ = is_fitted_ = has_clock_ = false;
   used_ = used_open_ = time_ = event_from_ = 0;
   played_ = {};
@@ -147,7 +147,8 @@ bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
             .camera = scene.camera,
             .view = baked_for,
             .animation = scene.animation,
-            .turn = scene.turn};
+            .turn = scene.turn,
+            .events = events};
   is_open_ = true;
   checksum_ = 0;
   keeps_tables_ = false;

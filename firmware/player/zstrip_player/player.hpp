@@ -71,7 +71,9 @@ class Player {
   bool open(const void* blob, std::size_t size);
   /// Or opens the constants of a baked header. The animation of other constants must have passed validate():
   ///     open({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, baked::kView)
-  bool open(const scenes::AtRest& scene, const View& baked_for);
+  /// `events`: of the animation, each before its end: baked::kEvents, if the header has them. They must outlive the
+  /// player.
+  bool open(const scenes::AtRest& scene, const View& baked_for, std::span<const ClipEvent> events = {});
   /// For constants that were opened: says that nothing changes that their meshes, textures, fonts and images refer to,
   /// as pose_skins() of a baked header does. Then draw() leaves out strips that the display shows already, if it
   /// remembers strips (ChangedTiles). Of a blob this is always true.
