@@ -15,7 +15,7 @@ enum class [[nodiscard]] Error : std::uint8_t{
     strip_layout,      ///< the strips do not cover the display exactly
     bus,               ///< the bus reports a fault: no device acknowledges, a transfer was refused or broke off
     pin,               ///< a line cannot be set
-    configuration,     ///< the display's configuration needs what its controller cannot do
+    configuration,     ///< the controller does not support the display's configuration
     framebuffer,       ///< the picture does not fit its memory, or its rows overlap
     flip,              ///< the screen has not shown the previous picture in the time that its driver states
     wrong_id,          ///< the controller answers with another id, or does not answer

@@ -50,7 +50,7 @@ Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::optional<
   file.program = std::move(*read);
   const pico::Board& of_program = board_of(file.program, file.board);
   if (of_program.player_memory < file.board.player_memory) file.board = of_program;
-  std::error_code ignored;  // files that do not exist are not the same
+  std::error_code ignored;  // a file that does not exist is not the other one
   if (std::filesystem::equivalent(*arguments.program, output, ignored)) {
     return Failure{ExitStatus::usage, fmt::format("-o '{}' is the file of --with; name another one", output)};
   }
@@ -60,7 +60,7 @@ Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::optional<
 PlanArguments plan_arguments_for_pico(PlanArguments plan) {
   if (!plan.view.size) plan.view.size = fmt::format("{0}x{0}", pico::kPanelSide);
   if (!plan.view.format) plan.view.format = "rgb565_swapped";
-  plan.memory.board.reset();  // names the program
+  plan.memory.board.reset();  // with .uf2 files --board names the program
   plan.strip_buffers = 2;
   plan.mode = "any";
   return plan;

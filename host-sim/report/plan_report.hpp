@@ -1,4 +1,4 @@
-// A choice of plans as a table with a curve, and as JSON.
+// Prints a choice of plans as a table with a curve, or as JSON.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace zstrip::sim {
 
-/// For a person.
+/// Returns the table of a choice of plans.
 std::string plan_table(const std::string& scene, const PlanRequest& request, const PlanChoice& choice);
 
-/// One JSON object with a line end; keys are documented in README.md.
+/// Returns one JSON object with a line end; host-sim/README.md documents its keys.
 std::string plan_json(const std::string& scene, const PlanRequest& request, const PlanChoice& choice);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Makes the tree, and rotates the result as a baked scene is rotated.
+// Makes the BSP tree of a scene, and rotates the scene as a baked one is rotated.
 #include "visibility/tree_stage.hpp"
 
 #include <utility>
@@ -28,7 +28,7 @@ class TreeStage : public Stage {
   const Model* model() const override { return original_->model(); }
 
  private:
-  std::shared_ptr<const Stage> original_;  ///< the prepared scene refers to its scene
+  std::shared_ptr<const Stage> original_;  ///< `prepared_` refers to its scene
   PreparedScene prepared_;
   Turn turn_;
   TurnedParts parts_;

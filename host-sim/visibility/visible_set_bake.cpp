@@ -20,7 +20,7 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::size_t kMaxOccluders = 256;
-constexpr double kWidening = 1.0 / 256;  // of the distance: more than a sixteenth of a pixel, and room for rounding
+constexpr double kWidening = 1.0 / 256;  // a share of the distance: more than 1/16 pixel, with room for rounding
 
 using Corners = std::array<SoupPoint, 8>;
 
@@ -132,7 +132,8 @@ class Judge {
         if (!occluder.may_cover(crossings.back())) return false;
       }
     }
-    // Two codes of depth at that distance; twice that, because only half of the distance behind may be along the axis.
+    // At least two codes of depth at that distance, doubled because only half of `nearest_behind` may be along the
+    // axis.
     if (nearest_behind < 4 * farthest * farthest / (near_ * 65533)) return false;
     const double wider = farthest * kWidening;
     std::vector<PlanePoint> region;

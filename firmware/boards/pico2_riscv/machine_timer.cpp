@@ -27,7 +27,7 @@ void enable_timer() {
 }
 
 void sleep_until(std::uint64_t time) {
-  // The upper half is at its maximum while the halves do not belong together, so that no interrupt can occur.
+  // While the two halves do not match, the upper half is at its maximum, so that no interrupt can occur.
   register_at(kCompareUpper) = 0xFFFFFFFF;
   register_at(kCompare) = static_cast<std::uint32_t>(time);
   register_at(kCompareUpper) = static_cast<std::uint32_t>(time >> 32);
@@ -44,14 +44,14 @@ void start_systick(std::uint32_t, std::uint32_t per_second) {
 
 void wait_for_systick() {
   sleep_until(next_tick);
-  // Ticks that passed are one.
+  // Several missed ticks count as one.
   const std::uint64_t time = now();
   next_tick += (time - next_tick) / period * period + period;
 }
 
 void SysTickClock::wait(std::uint32_t microseconds) {
   enable_timer();
-  sleep_until(now() + microseconds + 1);  // a microsecond has begun
+  sleep_until(now() + microseconds + 1);  // + 1: the current microsecond has begun
   if (period != 0) next_tick = now() + period;
 }
 

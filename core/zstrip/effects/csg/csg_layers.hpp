@@ -1,4 +1,4 @@
-// Layers of CSG: fragments of an operand that are not drawn, but peeled off into a layer, or counted.
+// CSG does not draw the fragments of an operand: it peels them off into a layer, or counts them.
 #pragma once
 
 #include <cstddef>

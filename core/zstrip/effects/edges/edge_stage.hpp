@@ -15,10 +15,10 @@
 
 namespace zstrip::detail::edges {
 
-/// Neighbouring edges of an instance. Few, so that a strip projects few edges that do not touch it.
+/// Neighbouring edges of an instance. Groups are small, so that a strip projects few edges that do not touch it.
 struct EdgeGroup {
   std::uint8_t seen;  ///< one bit for each visible edge, the first edge in the lowest bit
-  Extent extent;      ///< the strips in which these can lie
+  Extent extent;      ///< the strips that these edges may touch
 };
 static_assert(sizeof(EdgeGroup) == Effect::kGroupBytes && kEdgesOfGroup == 8);
 

@@ -1,4 +1,4 @@
-// Anti-aliases edges only.
+// Anti-aliases the edges of meshes alone, without samples.
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
