@@ -74,9 +74,9 @@ inline void copy_to_area(PixelFormat format, const Rect& strip_area, const std::
 
 /// Draws the pixels of `area` of the frame that `renderer` has begun: those of the whole picture, in the view's format.
 /// Works with every renderer, effect, and mode. Draws each strip that touches `area` into `strip`, a buffer as for
-/// draw_strip, and copies its part of the area; so an area costs what its strips cost, and narrow areas cost less where
-/// strips are tiles (Budget::strip_columns). `pixels`: the address of the upper left pixel of `area`; its rows are
-/// `stride` bytes apart, and every row starts at a byte. Writes no bits between the rows or after their last pixel.
+/// draw_strip, and copies its part of the area; so an area takes the time of its strips, and narrow areas take less
+/// where strips are tiles (Budget::strip_columns). `pixels`: the address of the upper left pixel of `area`; its rows
+/// are `stride` bytes apart, and every row starts at a byte. Writes no bits between the rows or after their last pixel.
 /// Error::view_size if the area is empty or leaves the picture, Error::pixels_too_small if rows overlap (`needed` and
 /// `available` are then bytes of a row) or `pixels` ends too early, and the errors of draw_strip.
 template <class AnyKind>

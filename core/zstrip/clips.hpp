@@ -44,7 +44,7 @@ struct MovedMorph {
 
 /// Meshes with morph targets, which have the same weights.
 struct MovedMorphs {
-  std::span<const MovedMorph> meshes;  ///< each with its targets and the memory of what they move
+  std::span<const MovedMorph> meshes;  ///< each with its targets and the memory of the moved vertices
   std::span<MorphWeight> weights;      ///< of the pose, one for each weight of the blob
 };
 

@@ -1,4 +1,4 @@
-// Fingerprints of strips: they tell which strips of a frame show what they showed in the frame before, so that these
+// Fingerprints of strips: they tell which strips of a frame show the same pixels as in the frame before, so that these
 // are neither drawn nor sent again. zstrip.hpp does not include it.
 #pragma once
 

@@ -1,4 +1,5 @@
-// pick: what a pixel of a frame shows, as the instance and triangle under a finger. zstrip.hpp does not include it.
+// Finds the instance and triangle that a pixel of a frame shows, such as the one under a finger. zstrip.hpp does not
+// include it.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +9,13 @@
 
 namespace zstrip {
 
-/// Finds what pixel (x, y) of the frame that a renderer with `effects` has begun shows: the surface that was drawn
-/// there last. Coverage, clipping, depth test, and texels that a mask discards are those of the picture, because the
-/// same code draws this one pixel. With several samples a pixel it is the sample to the lower right of the pixel's
+/// Finds the surface that pixel (x, y) shows in the frame that a renderer with `effects` has begun: the one that was
+/// drawn there last. Coverage, clipping, depth test, and texels that a mask discards are those of the picture, because
+/// the same code draws this one pixel. With several samples a pixel it is the sample to the lower right of the pixel's
 /// centre; with effect::edges the surface at the pixel's centre. A surface that blends with alpha 0 is not shown.
 ///
 /// Call it after begin_frame, before or after any draw_strip; scene and arena must be those of the frame. Later
-/// draw_strip calls draw what they would have drawn. It transforms the meshlets whose spheres touch the pixel, or in
+/// draw_strip calls draw the same pixels as without it. It transforms the meshlets whose spheres touch the pixel, or in
 /// Mode::binned reads the strip's list, and draws a triangle only if its box contains the pixel. A wrong
 /// Meshlet::radius hides triangles from it. Error::not_begun; Error::view_size outside of the picture; Error::csg if
 /// the scene has products (`needed` = their operands), whose surfaces have no triangle of their own.

@@ -42,7 +42,7 @@ enum class Error : std::uint8_t {
   depth_effects,   ///< two depth formats at once, sub-ranges of a format that has none, or a format for perspective
                    ///< cameras with an orthographic one
   fog,             ///< 0 <= start < end is false, a negative density, or a mode that does not exist
-  quadric,         ///< a material that does not exist or uses what quadrics do not support (a slope bias, a finish,
+  quadric,         ///< a material that does not exist or is not for quadrics (it has a slope bias, a finish,
                    ///< punctual lights, alpha in its texture), or a transform that is out of range or has no inverse
                    ///< (`needed` = index of the quadric)
   animation,       ///< a track with an instance or keyframes that do not exist, or keyframes out of range (`needed` =
@@ -51,7 +51,7 @@ enum class Error : std::uint8_t {
   punctual_light,  ///< a negative intensity or range, or invalid cones (`needed` = its index)
   visibility,      ///< visibility methods that exclude each other or a depth effect, a draw_over with a method, or a
                    ///< method without the tree that it needs (`needed` = the methods)
-  lines,           ///< a mesh, vertex or material that does not exist, a material that uses what lines do not support
+  lines,           ///< a mesh, vertex or material that does not exist, a material that is not for lines
                    ///< (a texture, a finish, a slope bias), a transform or a width out of range, or a mesh too large
                    ///< for the depth range (`needed` = index of the set)
   samples,         ///< View::samples is not 1, 2 or 4, or several samples are combined with a static layer or a

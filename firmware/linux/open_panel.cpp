@@ -82,7 +82,7 @@ std::string in_hex(std::uint32_t id) {
   return text;
 }
 
-/// Says after Error::wrong_id which controller answers, and what to do.
+/// Returns, after Error::wrong_id, the controller that answers and the remedy, in words.
 template <class Driver>
 std::string what_answers(Driver& driver, const hal::DcsConfig& config) {
   std::uint32_t found = 0;

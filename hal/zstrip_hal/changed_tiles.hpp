@@ -1,4 +1,4 @@
-// A display that is sent only what changed: the tiles of each strip whose hash differs from that of the frame before.
+// Sends only the changed tiles of each strip to a display: those whose hash differs from that of the frame before.
 //
 // It serves where the bus is slower than the renderer, as SPI usually is. It needs no framebuffer: four bytes of RAM a
 // tile remember the picture. Strips with fingerprints need not even be drawn.
@@ -18,7 +18,7 @@ namespace zstrip::hal {
 /// Pixels from the left to the right of a tile of ChangedTiles: a whole number of bytes in each format.
 inline constexpr std::uint16_t kTileColumns = 16;
 
-/// The number of tiles that the strips of a frame have: what ChangedTiles needs. `width`: the display's, in pixels.
+/// The number of tiles of all strips of a frame, an argument of ChangedTiles. `width`: the display's, in pixels.
 constexpr std::uint32_t changed_tiles(const StripLayout& layout, std::uint16_t width, std::uint16_t tile_rows = 16) {
   const std::uint32_t columns = layout.columns == 0 ? width : layout.columns;
   return layout.count * ((columns + kTileColumns - 1) / kTileColumns) * ((layout.rows + tile_rows - 1U) / tile_rows);
@@ -39,7 +39,7 @@ void pack_rows(const std::byte* from, std::byte* to, std::uint32_t bytes, std::u
 }  // namespace detail
 
 /// Wraps a display: each write() sends the smallest rectangle that has all tiles that changed, or nothing. `tiles`: as
-/// many as changed_tiles() says; what lies beyond them is always sent. A strip with fewer than `tile_rows` rows has
+/// many as changed_tiles() says; tiles beyond them are always sent. A strip with fewer than `tile_rows` rows has
 /// tiles of its height. Frames may write other areas than the frame before; then everything is sent. `strips`: the
 /// strips whose fingerprints it remembers, four bytes each; further ones are always drawn.
 ///
@@ -139,7 +139,7 @@ class ChangedTiles {
   static constexpr std::uint32_t tiles_of(const Area& area) {
     return (area.width + kTileColumns - 1U) / kTileColumns * ((area.height + tile_rows - 1U) / tile_rows);
   }
-  /// Returns what is remembered of the next strip: its fingerprint, its area and its first tile in one hash.
+  /// Returns one hash of the next strip's fingerprint, area and first tile, which it remembers.
   std::uint32_t strip_of(const Area& area, std::uint32_t fingerprint) const {
     if (fingerprint == kUnknown) return kUnknown;
     return detail::hash_strip(fingerprint, std::uint32_t{area.left} << 16 | area.top,

@@ -161,7 +161,7 @@ class ScannedPanel {
 
 /// Draws the strips of a frame that `renderer` has begun into the memory of the controller, each as soon as that is
 /// free. `layout`: of the plan, whose strips must have the panel's rows. Display errors: those of ScannedPanel, timeout
-/// if the controller does not ask, and strip_layout or pixels_too_small if it asks for what the layout does not have.
+/// if the controller does not ask, and strip_layout or pixels_too_small if it asks for a strip that the layout lacks.
 template <StripRenderer Renderer, Clock Time>
 auto present(Renderer& renderer, ScannedPanel<Time>& panel, const StripLayout& layout) {
   return panel.present(renderer, layout);

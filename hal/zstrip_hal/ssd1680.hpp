@@ -3,8 +3,8 @@
 //
 // E-paper keeps its picture without power. A refresh takes from half a second to several seconds, and the driver waits
 // for it. A full refresh flashes the whole glass; a partial one moves only pixels that differ from the controller's
-// second memory, which must hold what the glass shows. A rectangle of the frame before cannot be had from the
-// controller, so that the driver keeps the picture, one bit a pixel, in memory that the caller lends: then frames may
+// second memory, which must hold the picture on the glass. The controller cannot return a rectangle of the frame
+// before, so the driver keeps the picture, one bit a pixel, in memory that the caller lends: then frames may
 // write any rectangle, at any pixel, in any orientation, and only rows that differ are sent.
 #pragma once
 
@@ -36,9 +36,9 @@ struct Ssd1680Config {
 };
 
 /// A display of one bit a pixel, white where a pixel is lit; scenes are drawn dithered. write() stores in the caller's
-/// memory; end_frame() sends what differs from the glass, refreshes it, and waits until that is done. A frame in which
-/// nothing differs sends nothing. After an error of end_frame() the next frame sends all and refreshes fully. `bus`,
-/// `clock` and `memory` must outlive the display. `busy` is high while the panel is busy.
+/// memory; end_frame() sends the rows that differ from the glass, refreshes it, and waits until that is done. A frame
+/// in which nothing differs sends nothing. After an error of end_frame() the next frame sends all and refreshes fully.
+/// `bus`, `clock` and `memory` must outlive the display. `busy` is high while the panel is busy.
 template <CommandDataBus Bus, InputPin BusyPin, Clock Time>
 class Ssd1680 {
  public:
@@ -54,7 +54,7 @@ class Ssd1680 {
   constexpr Ssd1680(Bus& bus, BusyPin busy, Time& clock, std::span<std::byte> memory, const Ssd1680Config& config = {})
       : bus_(bus), busy_(std::move(busy)), clock_(clock), memory_(memory), config_(config) {}
 
-  /// Sets the controller up, and makes the memory black. The glass keeps what it shows until the first frame, which
+  /// Sets the controller up, and makes the memory black. The glass keeps its picture until the first frame, which
   /// refreshes it fully. Takes 10 ms. Call it after reset_panel() (output_pin.hpp); may be repeated. Returns
   /// Error::configuration if the glass does not fit the controller, Error::framebuffer if `memory` is too small, and
   /// sends nothing then; Error::timeout if the panel stays busy, as it does in deep sleep.
@@ -115,7 +115,7 @@ class Ssd1680 {
   }
   /// @}
 
-  /// Makes the next frame a full refresh, even if nothing differs: it removes what is left of pictures before.
+  /// Makes the next frame a full refresh, even if nothing differs: it removes the remains of earlier pictures.
   void clean() { forget_glass(); }
 
   /// Deep sleep: nearly no current; the glass keeps its picture. reset_panel() and start() end it.

@@ -1,5 +1,4 @@
-// Makes visible what the renderer drew: in addition to its colour, the triangle, the depth code and the texel of each
-// pixel.
+// Records the triangle, the depth code and the texel of each pixel that the renderer drew, in addition to its colour.
 #pragma once
 
 #include <array>

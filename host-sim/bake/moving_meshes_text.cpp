@@ -17,7 +17,7 @@ class MovingMeshes {
  public:
   MovingMeshes(const BakedSkins& skins, HeaderText& out) : skins_(skins), out_(out) {}
 
-  /// Writes the mesh table, and what moves its meshes.
+  /// Writes the mesh table, and the tables that move its meshes.
   void meshes(std::size_t count, const std::string& at_rest) {
     const std::vector<std::size_t> moved = moved_meshes();
     out_.line(
@@ -127,7 +127,7 @@ class MovingMeshes {
     return moved;
   }
 
-  /// Writes the skins, of bind meshes or of what morph targets made of them.
+  /// Writes the skins, of bind meshes or of morphed meshes.
   void skins_of_meshes() {
     out_.array("zstrip::Joint", "kJoints", skins_.joints);
     out_.array("zstrip::JointPose", "kJointRest", skins_.rest);

@@ -14,10 +14,10 @@
 namespace zstrip::sim {
 namespace {
 
-/// The parts of a sketch that depend on what drives the panel.
+/// The parts of a sketch that depend on the driver of the panel.
 struct SketchPanel {
   std::string head;     ///< the rest of the first line, includes and pins
-  std::string objects;  ///< `panel` and what it needs
+  std::string objects;  ///< `panel` and the objects that it needs
   std::string start;    ///< lines of setup()
 };
 

@@ -44,7 +44,7 @@ enum class Side { front, back, unknown };
 Side side_of(const Projected& a, const Projected& b, const Projected& c) {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
   const double twice_area = ux * vy - vx * uy;
-  // A corner is off by half a sub-pixel and by what the transform rounds, a difference by less than 2.
+  // The error of a corner is half a sub-pixel and the transform's rounding, that of a difference less than 2.
   const double error = 2 * (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy)) + 8;
   if (twice_area > error) return Side::front;
   return twice_area < -error ? Side::back : Side::unknown;

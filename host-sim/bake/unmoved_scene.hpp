@@ -1,4 +1,5 @@
-// A scene without what moves vertices while they are drawn, which lies in RAM: neither headers nor blobs keep it.
+// Removes from a scene the tables that move vertices while they are drawn. They are in RAM, so neither headers nor
+// blobs keep them.
 #pragma once
 
 #include <vector>

@@ -413,7 +413,7 @@ class Composer {
   }
 
   Result<Done> animate() {
-    if (motions_.empty() && !bent_) return Done{};  // what bends lasts as long as what moves
+    if (motions_.empty() && !bent_) return Done{};  // models that bend last as long as those that move
     Result<FittedAnimation> fitted = fit_animation(motions_, duration_, all_key_times(file_, models_, duration_),
                                                    kAnimationTolerance * kComposedRadius);
     if (!fitted) return at_line(file_.path, 1, "the animation " + fitted.failure().message);

@@ -73,8 +73,8 @@ double error_of(const std::vector<MovingBody>& bodies) {
   return error;
 }
 
-/// Simplifies by the smallest error, in even steps of its logarithm, whose result keeps the limit. Returns false, and
-/// removes what it can, if there is none.
+/// Simplifies by the smallest error whose result keeps the limit, in even steps of the error's logarithm. If there is
+/// no such error, removes as many triangles as it can and returns false.
 bool simplify(std::vector<MovingBody>& bodies, Held held, std::uint64_t limit) {
   constexpr double kSmallest = 1e-6;
   constexpr int kSteps = 10;
@@ -118,7 +118,7 @@ Shrunk fit_textures(SourceModel& model, std::uint32_t side) {
 }
 
 Reduced remove_triangles(SourceModel& model, const Reduction& reduction) {
-  constexpr double kDearer = 2;  // times the error that what changes visibly may cost to stay
+  constexpr double kMaxErrorRatio = 2;  // for keeping vertices whose removal is visible
   Reduced reduced;
   for (const SourceMesh& mesh : model.meshes) reduced.triangles_before += mesh.indices.size() / 3;
   std::uint64_t limit = reduced.triangles_before;
@@ -132,7 +132,7 @@ Reduced remove_triangles(SourceModel& model, const Reduction& reduction) {
   std::vector<MovingBody> bodies = bodies_of(model);
   std::vector<MovingBody> held = bodies;
   reduced.keeps_limit = simplify(bodies, Held::shared_borders, limit);
-  reduced.slides = !simplify(held, Held::all, limit) || error_of(held) > kDearer * error_of(bodies);
+  reduced.slides = !simplify(held, Held::all, limit) || error_of(held) > kMaxErrorRatio * error_of(bodies);
   if (!reduced.slides) bodies = std::move(held);
   reduced.triangles = triangles_of(bodies);
   reduced.error = error_of(bodies);

@@ -37,9 +37,9 @@ struct Shrunk {
 Shrunk fit_textures(SourceModel& model, std::uint32_t side);
 
 /// Removes vertices where the surface changes least, from all meshes by the same error in the file's units, until the
-/// limit of triangles is kept or nothing more can be removed. What moves together is one surface: edges that two
+/// limit of triangles is kept or nothing more can be removed. Meshes that move together are one surface: edges that two
 /// triangles share stay shared, across meshes and seams of texture coordinates, too. Flat faces stay flat. Vertices
-/// stay where open borders of what moves differently meet; and, unless that takes more than twice the error, where
+/// stay where open borders of parts that move apart meet; and, unless that takes more than twice the error, where
 /// colours or joints change across a triangle, or the texture would slide visibly. Meshes may end up without triangles.
 /// Expects welded meshes with normals.
 Reduced remove_triangles(SourceModel& model, const Reduction& reduction);

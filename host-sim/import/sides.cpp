@@ -14,7 +14,8 @@ bool is_shaded(const SourceMaterial& material) {
   return material.lit && material.colour != std::array<std::uint8_t, 3>{};
 }
 
-/// Reverses normals and what morph targets add to them. `turned`: the reversed entries of SourceModel::morphs so far.
+/// Reverses normals and the offsets that morph targets add to them. `turned`: the reversed entries of
+/// SourceModel::morphs so far.
 SourceMesh back_of(const SourceMesh& front, SourceModel& model, std::map<std::uint32_t, std::uint32_t>& turned) {
   SourceMesh back = front;
   const auto reverse = [](std::array<float, 3>& v) {

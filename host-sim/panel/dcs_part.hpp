@@ -1,5 +1,5 @@
-// The differences between the controllers with MIPI's command set, from their data sheets; for those from GC9A01 on
-// from what public drivers say of these.
+// The differences between the controllers with MIPI's command set, from their data sheets; from GC9A01 on
+// from public drivers.
 #pragma once
 
 #include <array>

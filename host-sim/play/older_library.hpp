@@ -1,6 +1,6 @@
 // Emscripten's standard library of 2021 has the concepts of C++20's ranges, but not the algorithms, and no conversion
-// from characters to numbers. This file has the functions that zstrip calls, made from what that library has. An option
-// of the compiler includes it before each source.
+// from characters to numbers. This file has the functions that zstrip calls, written with the functions that it has. An
+// option of the compiler includes it before each source.
 #pragma once
 
 #include <algorithm>

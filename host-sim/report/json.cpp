@@ -140,7 +140,7 @@ std::string to_json(const RunRecord& run) {
                        {"changes", run.panel->changes}};
   }
   object["frames"] = std::move(frames);
-  // Names of files may be any bytes; what is not UTF-8 is replaced, not refused.
+  // Names of files may be any bytes; those that are not UTF-8 are replaced, not refused.
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -49,7 +49,7 @@ std::string length(double value) {
   return fmt::format("{:.{}f}", value, std::clamp(3 - before_point, 0, 12));
 }
 
-/// Which formats sort what the scene needs.
+/// Returns the table of depth formats and the separations that they sort.
 std::string depth_table(const DepthAdvice& depth) {
   std::string text = fmt::format("\n{:<10}  {:>5}  sorts surfaces this far apart\n{:<17}  {:<14} {}\n", "depth",
                                  "bytes", "", "at " + length(depth.nearest), "at " + length(depth.farthest));

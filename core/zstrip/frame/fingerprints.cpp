@@ -56,7 +56,7 @@ Digest digest_of_background(const FrameState& frame) {
   return digest;
 }
 
-/// Adds what every surface may depend on.
+/// Adds the settings that every surface may depend on.
 void add_settings(Digest& digest, const FrameState& frame, const Camera& camera) {
   const Scene& scene = *frame.scene;
   for (const Vec3& axis : {camera.right, camera.up, camera.back, camera.eye}) digest.add(axis);
@@ -84,7 +84,7 @@ bool has_outlines(const Scene& scene) {
                              [&](const Instance& instance) { return scene.meshes[instance.mesh].outline != 0; });
 }
 
-/// Adds what is drawn into the z-buffer.
+/// Adds the surfaces that are drawn into the z-buffer.
 void add_surfaces(Strips& strips, const FrameState& frame, const Camera& camera, const Digest& settings) {
   const Scene& scene = *frame.scene;
   if (has_outlines(scene)) return strips.add(frame.bounds, kUnknown);

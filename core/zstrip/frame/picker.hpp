@@ -16,7 +16,7 @@
 
 namespace zstrip::detail {
 
-/// Returns the effects that decide which surface a pixel shows: light, fog, dithering and what is drawn afterwards only
+/// Returns the effects that decide which surface a pixel shows: light, fog, dithering and later drawing only
 /// change its colour. Fragments keep one effect, so that their runs exist.
 constexpr Effects picking_effects(Effects effects) {
   constexpr Effects kOfColours = effect::lighting | effect::gouraud | effect::vertex_colours | effect::statistics |

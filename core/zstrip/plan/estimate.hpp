@@ -32,9 +32,9 @@ inline constexpr std::uint64_t kCostOfPixel = 15;     // a pixel of a plain tria
 inline constexpr std::uint64_t kCostOfClearing = 12;  // a pixel or sample
 inline constexpr std::uint64_t kCostOfMono = 248;     // a pixel dithered to a format of few bits
 
-/// Eighths of an instruction for each kind of work, in addition to what each vertex, triangle and, without stages, row
-/// takes. Textures as above. Stages, light of vertices, clips and shadows: fitted over 48 frames of the six scenes of
-/// the gallery, near what their functions take; what these scenes lack is from docs/measured/effects.csv.
+/// Eighths of an instruction for each kind of work, in addition to those of each vertex, triangle and, without stages,
+/// row. Textures as above. Stages, light of vertices, clips and shadows were fitted over 48 frames of the six scenes of
+/// the gallery, near the counts of their functions. Effects that these scenes lack are from docs/measured/effects.csv.
 inline constexpr std::uint32_t kCostOfWork[] = {
     970 * 8,   // textured_triangles
     146,       // textured_fragments
@@ -68,8 +68,8 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     0,         // fragments_again
     340 * 8,   // fragments_of_quadrics
     26 * 8,    // fragments_of_lines
-    18 * 8,    // searched_edges; all but the next one are near what their functions take
-    1050 * 8,  // surveyed_edges: about 300 are theirs; the rest stands for what estimates of six gallery scenes lack
+    18 * 8,    // searched_edges; all except the next one are near the counts of their functions
+    1050 * 8,  // surveyed_edges: they take about 300; the rest corrects the estimates of six gallery scenes
     190 * 8,   // projected_edges
     500 * 8,   // blended_edges
     75 * 8,    // pixels_of_edges
@@ -177,7 +177,7 @@ constexpr void expect_kinds(Work& work, const SceneCounts& counts, Effects effec
     work.kinds[lit ? WorkKind::lit_textured_triangles : WorkKind::textured_triangles] = triangles;
     work.kinds[lit ? WorkKind::lit_textured_fragments : WorkKind::textured_fragments] = fragments;
   }
-  // Strips do not light what only shows where a meshlet lies, and then the vertices of half of the faces.
+  // The pass that only finds the strips of a meshlet does not light vertices; strips light those of half of the faces.
   const bool once = work.vertices == counts.vertices;
   const auto lit_vertices = static_cast<std::uint32_t>(once ? work.vertices : (work.vertices - counts.vertices) / 2);
   set(effect::lighting, WorkKind::lit_vertices, lit_vertices);

@@ -121,7 +121,7 @@ template <Effects effects>
 struct FragmentRun {
   const FragmentPlanes<effects>& planes;
   const TargetOf<effects>& target;
-  RunTexels texels;                            ///< this, and what belongs to it, only with effect::textures
+  RunTexels texels;                            ///< this and the next two only with effect::textures
   std::uint32_t to_fraction_u, to_fraction_v;  ///< TextureAxis
   RunPlace place;
   RunLight light;
@@ -152,8 +152,8 @@ struct FragmentRun {
     light.b = planes.light.b.at(first_column, row);
   }
 
-  /// Sets what is stepped between two exact points. The run begins `before` pixels to the right of the first one;
-  /// `left` is step_of_run's.
+  /// Sets the values that are stepped between two exact points. The run begins `before` pixels to the right of the
+  /// first one; `left` is step_of_run's.
   void set_ends(const FragmentPoint& from, const FragmentPoint& to, std::int32_t left, std::int32_t before) {
     if constexpr (effects.has(effect::mipmaps)) {
       texels = level_of(planes.texels, level_of_run(from.footprint, to.footprint, planes.storage.smaller_levels));
@@ -212,7 +212,7 @@ struct FragmentRun {
     return false;
   }
 
-  /// Runs all stages over what `pixels` show, and writes the result to `shown`, which may be the same.
+  /// Runs all stages over the colours of `pixels`, and writes the result to `shown`, which may be the same.
   void draw([[maybe_unused]] const std::uint16_t* pixels, std::uint32_t* colours, std::uint16_t* shown) const {
     [[maybe_unused]] const std::uint32_t alpha = shade(colours);
     if constexpr (effects.has(effect::blending)) {
@@ -336,8 +336,8 @@ struct FragmentRun {
   }
 };
 
-/// Draws a run that passed the depth test. `codes`: what its cells will hold, where a texel may still discard a pixel;
-/// else they hold it already.
+/// Draws a run that passed the depth test. `codes`: the new codes of its cells, if a texel may still discard a pixel;
+/// otherwise the cells have them already.
 template <Effects effects, class Rule>
 [[gnu::noinline]] void draw_fragment_run(const FragmentRun<effects>& run, [[maybe_unused]] const Rule& rule,
                                          [[maybe_unused]] typename Rule::Cell* codes,
@@ -365,7 +365,7 @@ template <Effects effects, class Rule>
   for (std::int32_t i = 0; kCounts && i < run.count; ++i) count_pass<kCounts>(counters);
 }
 
-/// Says what becomes of the cell of a pixel that passes the depth test.
+/// The use of the cell of a pixel that passes the depth test.
 enum class CellUse : std::uint8_t {
   written,  ///< the pixel is drawn and hides what lies behind it
   kept,     ///< the pixel is drawn, but hides nothing

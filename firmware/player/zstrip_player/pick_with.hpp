@@ -1,4 +1,4 @@
-// For players that say what a pixel shows: the function to pass to Player::pick.
+// The function to pass to Player::pick, which finds the surface that a pixel shows.
 #pragma once
 
 #include "zstrip/pick.hpp"

@@ -420,8 +420,8 @@ bool Player::begin() {
   return begun || fail(Fault::frame, begun);
 }
 
-/// Returns false if what is drawn for the first time since fit() has tables that may change: the frame before may be
-/// another player's, of the same version.
+/// Returns false for the first frame since fit() of a scene whose tables may change: the frame before may be that of
+/// another player, with the same version.
 bool Player::knows_tables() {
   const bool was_drawn = was_drawn_;
   was_drawn_ = true;

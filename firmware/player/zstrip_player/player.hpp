@@ -184,7 +184,7 @@ class Player {
   /// Shows the background of the scene again.
   void baked_background() { has_background_ = false; }
 
-  /// Finds what pixel (x, y) of the frame that was begun last shows, by fit or a draw (zstrip/pick.hpp). `choose`:
+  /// Finds the surface that pixel (x, y) shows in the frame that fit or a draw began last (zstrip/pick.hpp). `choose`:
   /// pick_with<effects> for drawn_with<effects>, pick_with_any for drawn_with_any. Labels after those of the scene are
   /// the player's text. Programs that do not call it do not link it.
   bool pick(ChoosePick choose, std::uint16_t x, std::uint16_t y, Picked& picked);

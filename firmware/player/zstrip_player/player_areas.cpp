@@ -1,4 +1,4 @@
-// Parts of a frame: strips in any order, rectangles, and the mask of what was drawn.
+// Parts of a frame: strips in any order, rectangles, and the mask of the drawn pixels.
 #include <algorithm>
 
 #include "zstrip/area.hpp"
@@ -29,7 +29,7 @@ void mask_colours(PixelFormat format, std::uint16_t background, const std::byte*
 
 }  // namespace
 
-/// Sets the mask of the strip that was drawn last. Depth tells what has the background's colour.
+/// Sets the mask of the strip that was drawn last. Depth tells which pixels have the background's colour.
 void Player::mask_strip(const Rect& area, const std::byte* pixels, std::uint8_t* mask) const {
   const std::span<std::uint8_t> all(mask,
                                     static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height()));

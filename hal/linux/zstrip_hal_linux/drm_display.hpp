@@ -39,7 +39,7 @@ struct DrmOptions {
 /// Takes RGB565. A frame appears whole, at a vertical blank: end_frame() requests the flip and returns. The next
 /// end_frame() waits for that flip, at most kFlipTimeout milliseconds; then it returns Error::flip, and the next frame
 /// waits again. Error::bus: the driver refuses the flip, for example because another program has taken the screen.
-/// The object keeps the pixels in the processor's own memory, too: a frame may write only what changes, and the card's
+/// The object keeps the pixels in the processor's own memory, too: a frame may write only changed areas, and the card's
 /// buffers, which are slow to read, are never read. When the object ends, the CRTC shows its former picture again.
 class DrmDisplay {
  public:

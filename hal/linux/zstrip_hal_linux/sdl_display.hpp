@@ -17,7 +17,8 @@ namespace zstrip::hal {
 
 /// Takes RGB565. Each pixel becomes a square of `scale` pixels in the window, in the colour that an XRGB8888 screen
 /// shows. A frame appears whole; end_frame() returns about once for each refresh of the screen. A frame may write only
-/// what changes. Call all functions on the thread that opened the window. Error::bus: the desktop refuses a picture.
+/// the areas that change. Call all functions on the thread that opened the window. Error::bus: the desktop refuses a
+/// picture.
 class SdlDisplay {
  public:
   static constexpr std::uint16_t kMaxScale = 8;  ///< pixels of the window for one of the picture, each way

@@ -42,7 +42,7 @@ constexpr Rect pixels_of(const Rect& samples, const View& view) {
 /// The longest focal length that camera_of_samples can double.
 inline constexpr Fixed kMaxFocal = INT32_MAX / 2;
 
-/// Returns the camera that shows in the picture of samples what `camera` shows in the picture of pixels. A focal length
+/// Returns the camera whose picture of samples has the view that `camera` has in the picture of pixels. A focal length
 /// is relative to half of the height, so that two by two samples need no other camera; two samples side by side need
 /// twice the focal length, and half of `up`.
 constexpr Camera camera_of_samples(Camera camera, const View& view) {

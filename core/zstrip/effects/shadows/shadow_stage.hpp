@@ -104,7 +104,7 @@ struct Stage : NoStage {
   }
 
  private:
-  /// Adds what was drawn again between `before` and `after`.
+  /// Adds the work of drawing again between `before` and `after`.
   static void count_again(FrameState& frame, const Statistics& after, const Statistics& before) {
     auto& work = frame.statistics.work;
     work[WorkKind::vertices_again] += after.vertices - before.vertices;

@@ -59,7 +59,7 @@ struct Mean {
 };
 
 /// Two channels of 8 bits in the halves of a word, of a texel and of its right neighbour. A mean stays within a half;
-/// what a difference borrows from the other half, the sum gives back.
+/// a difference may borrow from the other half, and the sum gives it back.
 struct Pair {
   std::uint32_t first = 0, step = 0;
 

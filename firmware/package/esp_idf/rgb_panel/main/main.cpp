@@ -15,7 +15,7 @@
 #include "esp_lcd_rgb.hpp"
 #include "scene.hpp"
 
-// The pins of an ESP32-4827S043, blue first, and what its panel needs. Other boards have other ones.
+// The pins of an ESP32-4827S043, blue first, and the timings of its panel. Other boards have others.
 constexpr int kColours[] = {8, 3, 46, 9, 1, 5, 6, 7, 15, 16, 4, 45, 48, 47, 21, 14};
 constexpr int kPixelClock = 42, kColumns = 39, kRows = 41, kEnable = 40, kBacklight = 2;
 constexpr std::uint16_t kWidth = 480, kHeight = 272;
