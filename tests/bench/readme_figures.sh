@@ -111,7 +111,7 @@ rates() {
   done
   echo "$line"
 }
-for scene in lighthouse astronaut train robot watch chess home; do
+for scene in lighthouse astronaut train robot watch chess home fox; do
   is=$(rates $scene)
   grep -qxF "$is" docs/gallery.md || { echo "docs/gallery.md: there is no line $is"; failed=1; }
 done

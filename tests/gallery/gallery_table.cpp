@@ -74,8 +74,9 @@ std::string gallery_page(const measured::Table& table) {
   page << "# Instructions and flash of the gallery\n\n"
           "Counted by `tests/measure gallery`; [gallery.csv](gallery.csv) has the figures themselves. Million "
           "instructions a\nframe of the [whole scenes](../gallery.md#whole-scenes) at 240x240 pixels: the mean of four "
-          "frames, at 0, 1/4, 1/2 and\n3/4 of the motion, in QEMU with `-icount`. Posing what moves is not in them. "
-          "Flash, in bytes, is that of the program\nthat counts, with its start-up code, for 22 KB.\n\n";
+          "frames, at 0, 1/4, 1/2 and\n3/4 of the motion, in QEMU with `-icount`. Bending the skin of `fox` is in "
+          "them, posing instances is not. Flash, in\nbytes, is that of the program that counts, with its start-up "
+          "code, for 22 KB.\n\n";
   for (const std::string& note : table.notes) page << "- " << note << '\n';
   std::string heading = "| Scene | Processor ", rule = "|---|---|";
   for (const char* const preset : kPresets) {

@@ -9,7 +9,7 @@
 
 namespace zstrip::gallery {
 
-inline constexpr const char* kScenes[] = {"lighthouse", "astronaut", "train", "robot", "watch", "chess", "home"};
+inline constexpr const char* kScenes[] = {"lighthouse", "astronaut", "train", "robot", "watch", "chess", "home", "fox"};
 inline constexpr const char* kMachines[] = {"m3", "m0"};
 inline constexpr const char* kPresets[] = {"size", "speed"};  ///< ZSTRIP_PRESET
 inline constexpr const char* kKilobytes[] = {"22", "48"};     ///< --ram of `zstrip bake`

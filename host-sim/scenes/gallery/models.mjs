@@ -163,13 +163,14 @@ function packer(texcoords) {
         put(Buffer.from(rows.flat()), {componentType: UNSIGNED_BYTE, normalized, count: rows.length, type: 'VEC4'});
     primitive.attributes.JOINTS_0 =
         put4(mesh.vertices.map((v) => four(Object.keys(v.joints).map((name) => names.indexOf(name)))), false);
-    primitive.attributes.WEIGHTS_0 = put4(mesh.vertices.map((v) => {
-      const weights = four(Object.values(v.joints).map((weight) => Math.round(255 * weight)));
-      weights[0] += 255 - weights.reduce((a, b) => a + b);
-      return weights;
-    }), true);
-    const matrices =
-        Object.values(places).map((at) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...at.map((v) => -v), 1]);
+    primitive.attributes.WEIGHTS_0 = put4(
+        mesh.vertices.map((v) => {
+          const weights = four(Object.values(v.joints).map((weight) => Math.round(255 * weight)));
+          weights[0] += 255 - weights.reduce((a, b) => a + b);
+          return weights;
+        }),
+        true);
+    const matrices = Object.values(places).map((at) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...at.map((v) => -v), 1]);
     return put(floats(matrices), {componentType: FLOAT, count: matrices.length, type: 'MAT4'});
   };
   return {primitive, times, keys, bind, write};
@@ -189,8 +190,7 @@ export function writeFigure(file, bones, clips) {
   const pack = packer(false);
   const meshes = bones.map(({mesh}) => ({primitives: [pack.primitive(mesh, 0)]}));
   const nodes = nodesOf(bones).map(({name, ...rest}, mesh) => ({name, mesh, ...rest}));
-  pack.write(
-      file, ['figure'], {scenes: [{nodes: [0]}], nodes, meshes, animations: animationsOf(bones, clips, pack)});
+  pack.write(file, ['figure'], {scenes: [{nodes: [0]}], nodes, meshes, animations: animationsOf(bones, clips, pack)});
 }
 
 // Writes a binary glTF file of one mesh whose vertices several joints move. bones and clips: as of writeFigure(),

@@ -13,10 +13,14 @@ const kFrames = {
   robot: 24,
   watch: 60,
   chess: 60,
-  home: 60
+  home: 60,
+  fox: 40
 };
 const kQuality = 76;
-const kBytes = 1.5e6;  // the README shows all of them
+const kBytes = 1.5e6;  // of those that the README shows
+const kOfPage = {
+  fox: {quality: 46, bytes: 150e3}  // in docs/gallery.md alone
+};
 
 const [zstrip, images, ...names] = process.argv.slice(2);
 for (const name of names.length ? names : Object.keys(kFrames)) {
@@ -30,10 +34,17 @@ for (const name of names.length ? names : Object.keys(kFrames)) {
   const milliseconds = String(Math.round(1000 * seconds / frames));
   execFileSync(
       'img2webp',
-      ['-loop', '0', '-lossy', '-q', String(kQuality), '-m', '6', '-d', milliseconds, ...pictures, '-o', file],
+      [
+        '-loop', '0', '-lossy', '-q', String(kOfPage[name]?.quality ?? kQuality), '-m', '6', '-d', milliseconds,
+        ...pictures, '-o', file
+      ],
       {stdio: 'ignore'});
   fs.rmSync(scratch, {recursive: true});
   console.log(`${file}: ${frames} frames, ${fs.statSync(file).size} bytes`);
 }
-const bytes = Object.keys(kFrames).reduce((sum, name) => sum + fs.statSync(`${images}/gallery-${name}.webp`).size, 0);
+const bytesOf = (name) => fs.statSync(path.join(images, `gallery-${name}.webp`)).size;
+for (const [name, {bytes}] of Object.entries(kOfPage)) {
+  if (bytesOf(name) > bytes) throw Error(`${name} takes ${bytesOf(name)} bytes, more than ${bytes}`);
+}
+const bytes = Object.keys(kFrames).filter((name) => !kOfPage[name]).reduce((sum, name) => sum + bytesOf(name), 0);
 if (bytes > kBytes) throw Error(`the pictures take ${bytes} bytes, more than ${kBytes}`);

@@ -1,5 +1,6 @@
 // Draws frames of a baked scene, evenly spread over its motion, and prints "rows crc32 instructions...": the rows of a
-// strip, the checksum of all pixels, and what each frame takes. Posing what moves is not counted, nor is the checksum.
+// strip, the checksum of all pixels, and what each frame takes. Bending skins is counted (GALLERY_BENDS); posing
+// instances is not, nor is the checksum.
 // Exit status 1: it could not be drawn.
 #include <array>
 #include <cstddef>
@@ -23,6 +24,15 @@ alignas(kArenaAlignment) std::array<std::byte, baked::kPlan.bytes()> arena;
 alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels;
 std::array<Instance, baked::kScene.instances.size()> instances;
 Renderer<baked::kEffects> renderer;
+
+/// Moves the vertices of skins to their place in a frame.
+Status bend([[maybe_unused]] std::uint32_t frame) {
+#ifdef GALLERY_BENDS
+  return baked::pose_skins(baked::kJointAnimation.duration / kFrames * frame);
+#else
+  return {};
+#endif
+}
 
 /// Adds the pixels to `crc`.
 Status draw(const scenes::BakedFrame& frame, board::InstructionCounter& counter, board::Crc32& crc) {
@@ -48,7 +58,10 @@ int main() {
   std::array<std::uint64_t, kFrames> counted;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
     board::InstructionCounter counter;
-    if (!draw(scenes::stage(kAtRest, frame, kFrames, {instances}), counter, crc)) return 1;
+    counter.resume();
+    const Status bent = bend(frame);
+    counter.pause();
+    if (!bent || !draw(scenes::stage(kAtRest, frame, kFrames, {instances}), counter, crc)) return 1;
     counted[frame] = counter.instructions();
   }
   board::print_decimal(baked::kPlan.strip_rows);
