@@ -361,7 +361,7 @@ inline constexpr std::uint32_t kMaxCsgOperands = 64;  ///< of a scene
 /// A mesh must be closed: it has each edge once in either direction, where corners in one place count as one. It must
 /// not intersect itself. A frame does not check this, and draws other meshes wrong. Material::double_sided is ignored.
 /// The material must be opaque and have default rules for depth; the mesh must have neither a billboard nor an outline.
-/// Where the near plane cuts a solid, its inside is seen: the cut is not capped. If the far plane also cuts the solid,
+/// If the near plane cuts a solid, its inside is visible: the cut is not capped. If the far plane also cuts the solid,
 /// its inside is undefined.
 struct CsgOperand {
   std::uint16_t instance = 0;        ///< index into Scene::instances

@@ -19,7 +19,7 @@ struct Ili9342Controller {
   static constexpr std::uint16_t kRows = 240;
   static constexpr bool kHasBrightness = true;
   static constexpr std::uint32_t kId = 0x009342;
-  /// By command D9h, as an ILI9341.
+  /// Reads the id by command D9h, as for an ILI9341.
   template <ReadableBus Bus>
   static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
     return read_id4(bus, std::byte{0xD9}, id);

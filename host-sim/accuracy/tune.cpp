@@ -271,7 +271,7 @@ std::string quality_header(const AccuracyPoint& point, const View& size) {
       "\"zstrip/scene.hpp\"\n#include \"zstrip/view.hpp\"\n\n"
       "namespace quality {{\n\n"
       "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}, {}, {}}};\n"
-      "/// Beside what the scene calls for: Renderer<effects_of(scene, camera) | quality::kEffects>.\n"
+      "/// In addition to the scene's effects: Renderer<effects_of(scene, camera) | quality::kEffects>.\n"
       "inline constexpr zstrip::Effects kEffects = zstrip::effects_of(kView){};\n"
       "inline constexpr zstrip::Budget kBudget{{.strip_rows = {}, .modes = zstrip::Modes::{}}};\n"
       "/// For Camera::fixed_depth_range.\n"

@@ -76,7 +76,7 @@ Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blo
 
 std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn,
                            const BlobCharacters* characters) {
-  // As zstrip::Player allocates it; each piece begins at a multiple of kArenaAlignment.
+  // The sum is that of zstrip::Player; each piece begins at a multiple of kArenaAlignment.
   constexpr std::uint64_t kPieces = 8, kLineSet = 64;  // a LineSet has a pointer: 64 bytes on the board
   std::uint64_t kept = table_bytes(scene) + kPieces * kArenaAlignment;
   bool moves = !animation.tracks.empty();

@@ -20,7 +20,7 @@ std::uint64_t bytes_on_bus(const std::vector<Rect>& strips, const View& view) {
   return bytes;
 }
 
-/// Returns the bytes of a board's memory that the plan takes, with what programs need beside it.
+/// Returns the bytes of a board's memory that the plan takes, and kReservedRam for the rest of the program.
 std::uint64_t ram_on(const BoardModel& board, const EstimatedFrame& frame) {
   return std::uint64_t{frame.plan.bytes()} +
          (board.dma ? 2U : 1U) * std::uint64_t{frame.plan.strip_pixel_bytes(frame.view)} + kReservedRam;

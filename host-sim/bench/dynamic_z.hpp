@@ -42,7 +42,7 @@ struct DynamicZPicture {
   PaperFigures classic, dynamic;
 };
 
-/// From small to large.
+/// Sizes in ascending order.
 std::span<const DynamicZPicture> dynamic_z_pictures();
 
 /// "classic", "rectangle", "small", "small-and-pixels".

@@ -51,7 +51,7 @@ Result<std::optional<std::uint64_t>> instructions_of(const DynamicZRow& row) {
                     fmt::format("the picture of {0}x{0}", row.picture.side));
 }
 
-// Without instructions.
+// Rows without instructions.
 Result<std::vector<DynamicZRow>> drawn_rows(const TorusKnot& knot, const DynamicZPicture& picture) {
   std::vector<std::uint16_t> pixels;
   Result<DynamicZDrawing> judge = DynamicZDrawing::prepare_judge(knot, picture);

@@ -12,7 +12,7 @@ struct StripWork {
   double send = 0;
 };
 
-/// From the beginning of the frame, seconds.
+/// Times in seconds from the beginning of the frame.
 struct StripTimes {
   double draw_begin = 0, draw_end = 0;
   double send_begin = 0, send_end = 0;

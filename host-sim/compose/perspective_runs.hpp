@@ -1,4 +1,4 @@
-// How often a row's texture coordinates are exact, by the names that options and scene files have for it.
+// Names of options and scene files for the number of pixels between exact texture coordinates of a row.
 #pragma once
 
 #include <string_view>

@@ -63,7 +63,7 @@ void compare(FitChoice& choice, const RgbImage& whole) {
   choice.rms = std::sqrt(sum / static_cast<double>(whole.rgb.size()));
 }
 
-/// By how much a choice exceeds its limits: at most 1 if it keeps them, and the worst in words.
+/// The factor by which a choice exceeds its limits, at most 1 if it keeps them, and the worst excess in words.
 struct Excess {
   double factor = 0;
   std::string words;

@@ -44,7 +44,7 @@ class MeshGroups {
   void add_segments(const SourcePrimitive& primitive);
 
   SourceModel& model_;
-  /// By material, colours, texture coordinates, node, skin, morph targets; and a number if meshes must stay separate.
+  /// Groups by material, colours, texture coordinates, node, skin, morph targets, and a number for separate meshes.
   std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, bool, bool, std::uint32_t>, std::size_t> groups_;
   /// Groups of lines, by material, colours, node.
   std::map<std::tuple<std::uint32_t, bool, std::int32_t>, std::size_t> line_groups_;

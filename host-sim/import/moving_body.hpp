@@ -32,7 +32,7 @@ class MovingBody {
   /// The longest side of its box, in the file's units.
   double size() const { return size_; }
   std::size_t triangles() const { return result_.size() / 3; }
-  /// How far the surface moved at most, by the simplifier's measure, in the file's units.
+  /// The longest movement of the surface, by the simplifier's measure, in the file's units.
   double error() const { return error_; }
 
   /// Removes from the whole body as much as `error` allows, a length in the file's units. A body that would vanish is

@@ -87,7 +87,7 @@ void DcsModel::take(Wire wire, std::uint8_t byte) {
   }
 }
 
-/// Another command ends the command before.
+/// A new command ends the one before.
 void DcsModel::finish_command() {
   if (!excused_) {
     if (command_ != nullptr && parameters_.size() < command_->fewest) complain_of("too few parameters");

@@ -249,7 +249,7 @@ class RgbPanel final : public SimulatedPanel {
   Nanoseconds busy() const override { return model_.now() - begin_; }
 
  private:
-  /// Until the controller asks for the first strip of the next frame.
+  /// Waits until the controller asks for the first strip of the next frame.
   void read_to_the_last_strip() {
     do scanner_.wait(1);
     while (asked_for_ != 0);
@@ -302,7 +302,7 @@ std::unique_ptr<SimulatedPanel> whole_panel(const PanelRequest& request) {
   return dcs_panel<hal::St7789, hal::St7789Controller>(request, kSt7789Part, hal::kSt7789Module240x240);
 }
 
-/// Another panel that is sent only what changed. It has tiles for each strip of each module.
+/// Sends only the changed tiles to another panel. It has tiles for each strip of each module.
 class ChangesPanel final : public SimulatedPanel {
  public:
   explicit ChangesPanel(std::unique_ptr<SimulatedPanel> panel) : panel_(std::move(panel)), changes_(*panel_) {}

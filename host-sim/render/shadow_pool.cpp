@@ -8,7 +8,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// As in BakedMotion of firmware/boards.
+/// The number of frames that BakedMotion of firmware/boards has.
 constexpr std::uint32_t kFramesOfBoards = 64;
 
 }  // namespace

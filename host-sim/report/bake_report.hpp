@@ -64,7 +64,7 @@ struct BakeRecord {
   std::size_t edges_left_out = 0;  ///< that its motion never shows
 };
 
-/// For a person.
+/// Returns the report as text.
 std::string bake_summary(const BakeRecord& record);
 
 /// One JSON object with a line end; keys are documented in README.md.

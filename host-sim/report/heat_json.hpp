@@ -1,4 +1,4 @@
-// How a frame differs from the truth, as JSON.
+// Writes the differences of a frame from the truth as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>

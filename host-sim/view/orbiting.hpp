@@ -16,7 +16,7 @@ Orbiting within_limits(const Camera& camera, Orbiting by);
 
 /// Returns `camera` moved around the point of its axis that is nearest to the world's origin, or, if the camera is at
 /// this point, around a point in front of it. `by` never makes the camera look steeper than 89 degrees up or down.
-/// Without movement returns `camera` itself.
+/// Without movement it returns `camera` itself.
 Camera orbited(const Camera& camera, const Orbiting& by);
 
 }  // namespace zstrip::sim

@@ -45,8 +45,8 @@ WindowSize wanted_window(const WindowSize& picture, std::uint32_t scale, TextLin
 /// Returns the largest scale that fits in a window of this size, above the text.
 PictureScale scale_in(const WindowSize& window, const WindowSize& picture, TextLines text);
 
-/// Returns the pixel of the picture that is seen at a pixel of the window with this picture and text; nothing beside
-/// the picture. Of a reduced picture it is the first of several.
+/// Returns the pixel of the picture that a pixel of the window shows with this picture and text; nothing outside
+/// the picture. In a reduced picture it is the first of several.
 std::optional<PicturePixel> pixel_at(const WindowSize& window, const WindowSize& picture, TextLines text,
                                      std::int64_t x, std::int64_t y);
 

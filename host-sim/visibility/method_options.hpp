@@ -30,7 +30,7 @@ struct CullChoice {
   bool is_special() const { return !back_faces || !small || spheres || temporal; }
 };
 
-/// For help texts.
+/// Names for help texts.
 inline constexpr std::string_view kCullWords = "back-faces, small, spheres, temporal";
 
 /// Replaces the usual list by `words`; an empty list is the usual one, and "none" must be the only word. A usage error

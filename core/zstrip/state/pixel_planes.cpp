@@ -46,7 +46,7 @@ PixelPlanes::PixelPlanes(const CompiledInstance& instance, const Mesh& mesh, con
   bottom_ = plane_of(instance.y, exponent_y_, pixel.bottom * 16 - origin.bias_y + kPixel, ratios);
 }
 
-// Not inlined, because there are four.
+// Not inlined, because there are four calls.
 [[gnu::noinline]] PixelPlanes::Plane PixelPlanes::plane_of(const LinearForm& form, int exponent, std::int32_t at,
                                                            const std::uint64_t (&ratios)[3]) const {
   const std::uint64_t steepness[3] = {magnitude(scaled(form.x, exponent) - std::int64_t{at} * w_.x),

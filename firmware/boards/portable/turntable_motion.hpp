@@ -90,7 +90,7 @@ class TurntableMotion {
 
  protected:
   static constexpr Camera kCamera = scenes::fitted_camera(built_in, kView);
-  // Only one of the first two is used and linked.
+  // Only one of the first two members is used and linked.
   static inline constinit Camera camera{};
   static inline constinit typename Drawing::Moving moving{};
   static inline constinit Drawing renderer{};

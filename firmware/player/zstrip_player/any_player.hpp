@@ -1,5 +1,5 @@
-// For players of any scene, which know a scene's effects only when they open it. Meant for hosts, because all pipelines
-// are linked (library zstrip::core_any).
+// Pipelines for players of any scene, which learn a scene's effects when they open it. Meant for hosts, because all
+// pipelines are linked (library zstrip::core_any).
 #pragma once
 
 #include "zstrip/pick.hpp"

@@ -74,9 +74,9 @@ class Player {
   /// `events`: of the animation, each before its end: baked::kEvents, if the header has them. They must outlive the
   /// player.
   bool open(const scenes::AtRest& scene, const View& baked_for, std::span<const ClipEvent> events = {});
-  /// For constants that were opened: says that nothing changes that their meshes, textures, fonts and images refer to,
-  /// as pose_skins() of a baked header does. Then draw() leaves out strips that the display shows already, if it
-  /// remembers strips (ChangedTiles). Of a blob this is always true.
+  /// Promises, for constants that were opened, that no data changes to which their meshes, textures, fonts and images
+  /// refer; pose_skins() of a baked header would change them. Then draw() leaves out strips that the display shows
+  /// already, if it remembers strips (ChangedTiles). Of a blob this is always true.
   void keep_tables() { keeps_tables_ = true; }
 
   /// 2. Fits the camera to the display and the plan to the memory. Call it again for another display.

@@ -23,7 +23,7 @@ struct PrintTriangle {
   std::array<std::uint32_t, 3> properties{};
 };
 
-/// Another object in an object, or an object that is built.
+/// The use of an object: as a part of another object, or as one that is printed.
 struct PrintUse {
   std::string part;  ///< empty: the part that has the use
   std::uint32_t object = 0;

@@ -14,7 +14,7 @@
 
 namespace zstrip::sim {
 
-/// As in SourceVertex.
+/// Joints and weights as in SourceVertex.
 struct SkinnedVertex {
   std::array<std::uint8_t, 4> joints{}, weights{};
 };

@@ -56,7 +56,7 @@ class GltfTextures {
   const GltfDocument& document_;
   GltfBuffers& buffers_;
   SourceModel& model_;
-  /// By image, or by texture if it has no image (false); also textures that failed.
+  /// Textures by image, or by texture if it has no image (false); also those that failed.
   std::map<std::pair<bool, std::size_t>, std::uint32_t> known_;
   std::map<std::size_t, std::array<double, 3>> means_;  ///< by texture; also textures that failed
 };

@@ -62,7 +62,7 @@ struct ThumbListedRun {
 
   ThumbListedRun(const ThumbSmallRun& any, const Triangle* all, std::uint16_t number, const CarriedTriangles* carried)
       : run(any), triangles(all), batch(std::uint32_t{number} << 16), next_carried(~0U) {
-    // Without memory it is a full ring of one.
+    // Without memory the ring has one place, which is full.
     read = write = begin = end_of_last = reinterpret_cast<CarriedTriangle*>(this);
     end = begin + 1;
     if (carried == nullptr) return;

@@ -31,7 +31,7 @@ consteval DirectionalLight light_from(double x, double y, double z, Colour colou
           static_cast<std::int16_t>(compile_time::nearest(z * scale)), colour};
 }
 
-/// From the upper left behind the camera. Together with kAmbient it just reaches white.
+/// The light comes from the upper left behind the camera. Together with kAmbient it just reaches white.
 inline constexpr DirectionalLight kKeyLight[] = {light_from(-0.5, 0.7, 0.6, {207, 207, 207, 255})};
 inline constexpr Colour kAmbient{48, 48, 48, 255};
 

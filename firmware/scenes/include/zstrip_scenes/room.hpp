@@ -42,7 +42,7 @@ consteval Instance box(std::uint16_t material, double size, double x, double z, 
 }
 inline constexpr Instance kRoomInstances[] = {
     {.mesh = 0, .material = 0}, box(1, 0.45, -0.35, -0.3, 20), box(2, 0.3, 0.7, 0.0, 50), box(3, 0.2, -1.05, 0.2, -15)};
-/// From above, a little from the corner, so that every wall and the floor have a different brightness.
+/// The light comes from above, a little from the corner, so that every wall and the floor have a different brightness.
 inline constexpr DirectionalLight kRoomLights[] = {light_from(0.35, 0.8, 0.55, {150, 150, 150, 255}),
                                                    light_from(-0.6, 0.3, -0.4, {70, 75, 90, 255})};
 
