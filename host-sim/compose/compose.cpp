@@ -30,6 +30,9 @@ namespace {
 
 constexpr std::size_t kMaxSceneInstances = 65535, kMaxOutlines = 255;
 
+/// The motion of a small model in a large scene is so many times coarser than alone, at most: the camera may be near.
+constexpr double kMaxCoarseness = 16;
+
 /// Durations that differ by less, in seconds, are the same in milliseconds.
 constexpr double kSameDuration = 1e-4;
 
@@ -444,7 +447,7 @@ class Composer {
     if (std::abs(animation.duration - duration_) > kSameDuration) {
       animation = joined_clips(bent.tree, std::vector{ClipStep{.clip = placed.animation, .seconds = duration_}});
     }
-    const double tolerance = kAnimationTolerance * kComposedRadius / largest;
+    const double tolerance = kAnimationTolerance * std::min(kComposedRadius / largest, kMaxCoarseness);
     const auto wrong = [this](const Failure& failure) {
       return at_line(file_.path, file_.models[*bent_].line, "[[model]]: the animation " + failure.message);
     };

@@ -61,6 +61,46 @@ TEST_F(Bake, SceneFilesBendOneModel) {
   EXPECT_NE(message("scale = [1, 2, 1]\n", 4).find("can only be scaled evenly"), std::string::npos);
 }
 
+/// The outlines of a model that bends, by itself and placed by a scene file of another scale: a few pixels differ.
+TEST_F(Bake, SceneFilesBendAsTheModelAlone) {
+  struct View {
+    const char *model, *eye, *target;
+  };
+  for (const auto& [model, eye, target] : {View{BAKE_MODELS "/morph_face.gltf", "4,3,9", "0,0.8,0"},
+                                           View{BAKE_MODELS "/morph_bending.gltf", "4,3,9", "0,0.8,0"},
+                                           View{ZSTRIP_SCENE_FILES "/figure/figure.gltf", "2,2,4", "0,0.8,0"}}) {
+    file("scene.toml", std::string("background = '#ffffff'\ncamera = { eye = [") + eye + "], look_at = [" + target +
+                           "], field_of_view = 40 }\n[[model]]\nname = 'a'\nfile = '" + model +
+                           "'\n[[model]]\nname = 'b'\nbuilt_in = 'cube'\n[[instance]]\nmodel = 'a'\n"
+                           "[[instance]]\nmodel = 'b'\ntranslation = [0, 0, 90]\n");  // behind the camera
+    const auto frames = [&](const std::string& scene, std::vector<std::string> options) {
+      std::vector<std::string> arguments{"render",   scene,       "-o",      scene == model ? "alone" : "placed",
+                                         "--frames", "6",         "--size",  "160x120",
+                                         "--format", "rgb565",    "--image", "raw",
+                                         "--quiet",  "--no-edges"};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      const Outcome outcome = zstrip(arguments);
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+    };
+    frames(model, {"--eye", eye, "--look-at", target, "--fov", "40", "--background", "ffffff"});
+    frames("scene.toml", {});
+    for (int i = 0; i < 6; ++i) {
+      const std::string name = "/frame_000" + std::to_string(i) + ".raw";
+      const std::string alone = read(path("alone" + name)), placed = read(path("placed" + name));
+      ASSERT_EQ(alone.size(), 160U * 120 * 2);
+      ASSERT_EQ(placed.size(), alone.size());
+      int drawn = 0, different = 0;
+      for (std::size_t at = 0; at < alone.size(); at += 2) {
+        const bool first = alone.substr(at, 2) != "\xFF\xFF", second = placed.substr(at, 2) != "\xFF\xFF";
+        drawn += first;
+        different += first != second;
+      }
+      EXPECT_GT(drawn, 300) << model;
+      EXPECT_LE(different, drawn / 50) << model << " frame " << i;
+    }
+  }
+}
+
 TEST_F(Bake, HeadersHaveTheEventsOfTheirMotion) {
   report({"bake", BAKE_MODELS "/talker.toml", "-o", "talker.hpp"});
   const std::string header = read(path("talker.hpp"));
