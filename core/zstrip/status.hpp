@@ -66,7 +66,7 @@ enum class Error : std::uint8_t {
           ///< more than kMaxCsgOperands (`needed` = index of the operand); or products combined with a shadow or a
           ///< draw_over (`needed` = their operands)
   edges,  ///< a set with a mesh or vertex that does not exist, or out of the order of meshes (`needed` = its index); or
-          ///< edges combined with outlines, a shadow, CSG, several samples, a static layer or a draw_over
+          ///< edges combined with outlines, CSG, several samples, a static layer or a draw_over
   blob_section,  ///< a scene blob with a required section that this program does not know, because the blob is newer
                  ///< (`needed` = its tag, the first letter in the highest byte)
   overlay,   ///< a wrong size, coverage, glyph or number of bytes, or a sprite or label whose image or font does not

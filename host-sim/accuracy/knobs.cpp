@@ -240,7 +240,7 @@ std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_tr
 
 bool agree(Effects effects) {
   if (!effects_agree(effects) || effects.has(effect::bins | effect::depth_ranges)) return false;
-  if (effects.has(effect::edges) && effects.any(effect::outlines | effect::shadows | effect::csg)) return false;
+  if (effects.has(effect::edges) && effects.any(effect::outlines | effect::csg)) return false;
   const bool runs =
       effects.any(effect::perspective_runs) && effects.has(effect::textures) && !effects.has(effect::orthographic);
   // Libraries for programs that choose at run time have no pipeline with both.

@@ -45,7 +45,6 @@ class EdgedStage : public Stage {
 /// Returns the effect of the scene that edges cannot be combined with; empty if there is none.
 std::string_view rival_of_edges(Effects effects) {
   if (effects.has(effect::outlines)) return "outlines";
-  if (effects.has(effect::shadows)) return "a shadow";
   return effects.has(effect::csg) ? "CSG" : "";
 }
 

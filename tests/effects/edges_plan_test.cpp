@@ -109,11 +109,9 @@ TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
             Error::edges);
 
   static constexpr Effects kMore =
-      without_shades(kOwn) | effect::lighting | effect::supersampled | effect::outlines | effect::shadows | effect::csg;
-  const Shadow shadow{};
+      without_shades(kOwn) | effect::lighting | effect::supersampled | effect::outlines | effect::csg;
   const Outline outline{};
   const CsgOperand operand{};
-  const DirectionalLight light{};
   const auto refused = [](const Scene& scene, const View& view) {
     Plan large = plan(count(scene), view, without(kMore, effect::edges)).plan;
     large.effect_bytes += 8192;  // room for the edges
@@ -128,16 +126,6 @@ TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
   mesh.outline = 1;
   scene.meshes = {&mesh, 1};
   scene.outlines = {&outline, 1};
-  EXPECT_EQ(refused(scene, {75, 58}), Error::edges);
-  scene = scenes::edges.scene;
-  std::vector<Normal> normals(scene.meshes[0].positions.size(), Normal{0, 0, 127, 0});
-  mesh = scene.meshes[0];
-  mesh.normals = normals;
-  scene.meshes = {&mesh, 1};
-  const Material lit{};
-  scene.materials = {&lit, 1};
-  scene.lights = {&light, 1};
-  scene.shadow = &shadow;
   EXPECT_EQ(refused(scene, {75, 58}), Error::edges);
 }
 

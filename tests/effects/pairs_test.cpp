@@ -49,7 +49,7 @@ TEST(EffectsTogether, ProductsOfSolidsAndEachRow) {
 
 /// Edges likewise, without outlines, samples and skins, too.
 TEST(EffectsTogether, EdgesAndEachRow) {
-  constexpr Effects kNotWithEdges = effect::shadows | effect::outlines | effect::supersampled | effect::skins;
+  constexpr Effects kNotWithEdges = effect::outlines | effect::supersampled | effect::skins;
   for (std::size_t i = 0; i < kRows; ++i) {
     expect_column(completed(without(row(i), kNotWithEdges)) | effect::edges, [](Scene& scene) { scene.edges = {}; });
   }

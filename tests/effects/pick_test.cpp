@@ -60,7 +60,7 @@ TEST(EffectsPick, APixelNamesTheTriangleWhoseColourItHasWithEveryEffect) {
     // Overlays and samples have tests of their own.
     constexpr Effects kApart = effect::overlay | effect::supersampled;
     const Effects set = completed(without(row(i), kApart));
-    const Effects with_edges = completed(without(row(i), kApart | effect::shadows | effect::outlines | effect::skins));
+    const Effects with_edges = completed(without(row(i), kApart | effect::outlines | effect::skins));
     for (const Effects each : {set, with_edges | effect::edges}) {
       SCOPED_TRACE(testing::Message() << std::hex << each.bits);
       const Combination drawn(each);

@@ -44,6 +44,17 @@ TEST_F(EdgesCommand, AreAnOptionAndAKey) {
             checksum("knot.toml", {"--size", "80x60", "--no-edges"}));
 }
 
+TEST_F(EdgesCommand, AreSmoothedInAPictureWithAShadow) {
+  file("shadow.toml",
+       "[[light]]\ndirection = [0.4, -1, -0.3]\nshadow = { size = 64 }\n"
+       "[[model]]\nname = 'k'\nbuilt_in = 'knot'\n[[instance]]\nmodel = 'k'\n");
+  const std::string with = checksum("shadow.toml", {"--size", "80x60", "--edges"});
+  EXPECT_NE(with, checksum("shadow.toml", {"--size", "80x60"}));
+  EXPECT_EQ(checksum("shadow.toml", {"--size", "80x60", "--edges", "--strip-rows", "7"}), with);
+  ASSERT_EQ(zstrip({"bake", "shadow.toml", "--edges", "-o", "shadow.zsc", "--size", "80x60", "--quiet"}).status, 0);
+  EXPECT_EQ(checksum("shadow.zsc", {"--size", "80x60"}), with);
+}
+
 TEST_F(EdgesCommand, AreInThePlan) {
   EXPECT_NE(zstrip({"plan", "knot", "--edges"}).out.find("edges"), std::string::npos);
   EXPECT_NE(plan_of({"--edges"}), plan_of({}));

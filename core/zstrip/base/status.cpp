@@ -46,8 +46,7 @@ const char* message(Error error) {
       return "CSG has an operand that is not a plain solid, or nothing to intersect, or goes with a "
              "shadow, or over a static layer";
     case Error::edges:
-      return "a set of edges is not valid, or goes with outlines, a shadow, CSG, several samples or a "
-             "static layer";
+      return "a set of edges is not valid, or goes with outlines, CSG, several samples or a static layer";
     case Error::blob_section: return "the scene blob has a section that is not known here";
     case Error::blob_depth:
       return "the scene blob is for a depth format that is gone: use z24, or float where memory is short";

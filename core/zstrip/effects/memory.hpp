@@ -35,7 +35,8 @@ namespace zstrip::detail {
 /// Bytes before all parts: the effects that have a part, and the number of instances.
 inline constexpr std::uint32_t kEffectHeaderBytes = 16;
 
-/// The last parts may count other elements than instances; no scene has two of these parts.
+/// The last parts may count other elements than instances. A scene may have two of these parts only if they are those
+/// of shadows and edges: the second one is found through the first one.
 template <class... Parts>
 struct EffectMemory {
   /// True if effects among these have any memory.

@@ -104,7 +104,7 @@ struct NoStage {
   static void draw_surfaces(FrameState&, const StripTarget&, std::uint16_t /*strip*/) {}
   /// Runs when everything is drawn.
   template <Effects effects>
-  static Status finish(FrameState&, const StripTarget&, std::uint16_t /*strip*/) {
+  static Status finish(FrameState&, const StripTarget&, const StripImage&) {
     return {};
   }
   template <Effects effects>

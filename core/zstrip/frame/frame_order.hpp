@@ -118,7 +118,7 @@ Status draw_checked_strip(FrameState& frame, std::uint16_t strip, std::byte* pix
   MethodStage::begin_strip<effects>(frame, target);
   if (!target.area.empty()) draw_scene<effects>(frame, target, strip);
   if (const Status status = Stages::until_error<effects>(
-          [&](auto stage) { return stage.template finish<effects>(frame, target, strip); });
+          [&](auto stage) { return stage.template finish<effects>(frame, target, image); });
       !status) {
     return status;
   }

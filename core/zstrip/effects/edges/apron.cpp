@@ -6,12 +6,12 @@ namespace zstrip::detail::edges {
 Status check_request(const FrameRequest& request) {
   const View& view = request.view;
   const Plan& plan = request.plan;
-  if (view.samples != 1 || request.called_for.any(effect::outlines | effect::shadows | effect::csg)) {
+  if (view.samples != 1 || request.called_for.any(effect::outlines | effect::csg)) {
     return {.error = Error::edges};
   }
   const std::uint64_t cells = cells_with_apron(plan.strip_rows, plan.strip_columns, view);
   if (plan.depth_bytes < cells * kDepthBytes) return too_small(Purpose::depth, cells * kDepthBytes, plan.depth_bytes);
-  const std::uint64_t colour = colour_bytes_of_edges(plan.strip_rows, plan.strip_columns, view);
+  const std::uint64_t colour = colour_bytes_of_edges(plan.strip_rows, plan.strip_columns, view, request.called_for);
   return plan.colour_bytes < colour ? too_small(Purpose::colour, colour, plan.colour_bytes) : Status{};
 }
 

@@ -13,6 +13,10 @@ bool has_apron(const FrameState& frame) {
   return false;
 }
 
+constexpr std::size_t cells_of(const Rect& area) {
+  return static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height());
+}
+
 /// Returns a strip, or another area of the picture, with its apron.
 inline Rect strip_with_apron(const Rect& area, const View& view) {
   return {std::max<std::int32_t>(area.left - 1, 0), std::max<std::int32_t>(area.top - 1, 0),
@@ -22,6 +26,12 @@ inline Rect strip_with_apron(const Rect& area, const View& view) {
 /// Returns a box that touches every strip whose apron `box` touches.
 inline Rect box_with_apron(const Rect& box) {
   return box.empty() ? box : Rect{box.left - 1, box.top - 1, box.right + 1, box.bottom + 1};
+}
+
+/// Returns the memory of the strip's pixels after edges are blended. Nothing uses it before.
+inline std::uint16_t* blended_pixels(const FrameState& frame, const StripImage& image) {
+  if (drawn_in_place(frame.view.format)) return reinterpret_cast<std::uint16_t*>(image.out);
+  return frame.working_colour + cells_of(image.area);
 }
 
 /// Copies the pixels of `area` from those of `drawn`, the strip with its apron. Both have no gaps.

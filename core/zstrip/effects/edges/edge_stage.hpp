@@ -9,6 +9,7 @@
 #include "zstrip/effects/edges/apron.hpp"
 #include "zstrip/effects/edges/edge_blend.hpp"
 #include "zstrip/effects/edges/effect.hpp"
+#include "zstrip/effects/shadows/kept.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/kernels/transform.hpp"
 #include "zstrip/stages/geometry_stage.hpp"
@@ -56,10 +57,7 @@ struct Stage : NoStage {
     const View& view = frame.view;
     const Rect drawn = image.area, area = frame.plan.strip_area(image.strip, view);
     const std::uint16_t* const own = frame.working_colour;
-    std::uint16_t* const pixels =
-        drawn_in_place(view.format)
-            ? reinterpret_cast<std::uint16_t*>(image.out)
-            : frame.working_colour + static_cast<std::size_t>(drawn.width()) * static_cast<std::size_t>(drawn.height());
+    std::uint16_t* const pixels = blended_pixels(frame, image);
     copy_without_apron(own, drawn, pixels, area);
     const std::int32_t x = view.width >> 1, y = view.height >> 1;
     const auto to_raster = [x, y](const Rect& r) { return Rect{r.left - x, r.top - y, r.right - x, r.bottom - y}; };
@@ -74,7 +72,7 @@ struct Stage : NoStage {
   template <Effects effects>
   static void survey(FrameState& frame) {
     frame.has_special_depth = true;
-    for_each_set(frame, [&](std::uint32_t instance, std::span<const Edge> edges, EdgeGroup* groups) {
+    for_each_set<effects>(frame, [&](std::uint32_t instance, std::span<const Edge> edges, EdgeGroup* groups) {
       const Mesh& mesh = frame.scene->meshes[frame.instances[instance].mesh];
       const ProjectionOf<effects> projection{frame.instances[instance], mesh, frame.origin};
       CachedMeshlet<effects> cache{frame, frame.instances[instance], mesh};
@@ -122,11 +120,21 @@ struct Stage : NoStage {
     }
   };
 
+  /// Returns the groups of all instances. The layout of the effects' memory does not know how long a shadow's pool is.
+  template <Effects effects>
+  static EdgeGroup* groups_of(const FrameState& frame) {
+    const EffectBlock block = effect_block(frame);
+    if constexpr (effects.has(effect::shadows)) {
+      if (block.has(effect::shadows)) return reinterpret_cast<EdgeGroup*>(shadows::end_of_pool(frame));
+    }
+    return block.at<Effect, EdgeGroup>(Effect::kStateBytes);
+  }
+
   /// Calls visit(index, edges, groups) for each visible instance with edges.
-  template <class Visit>
+  template <Effects effects, class Visit>
   static void for_each_set(const FrameState& frame, const Visit& visit) {
     const Scene& scene = *frame.scene;
-    EdgeGroup* groups = effect_block(frame).at<Effect, EdgeGroup>(Effect::kStateBytes);
+    EdgeGroup* groups = groups_of<effects>(frame);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
       const std::span<const Edge> edges = edges_of(scene, scene.instances[i].mesh);
       if (edges.empty()) continue;
@@ -190,7 +198,7 @@ struct Stage : NoStage {
   template <Effects effects>
   static void blend(const FrameState& frame, std::uint16_t strip, const EdgeTarget& target, Statistics* counters) {
     const StripGrid::Place place = frame.grid.place_of(strip);
-    for_each_set(frame, [&](std::uint32_t instance, std::span<const Edge> edges, const EdgeGroup* groups) {
+    for_each_set<effects>(frame, [&](std::uint32_t instance, std::span<const Edge> edges, const EdgeGroup* groups) {
       const ProjectionOf<effects> projection{frame.instances[instance],
                                              frame.scene->meshes[frame.instances[instance].mesh], frame.origin};
       for (std::size_t first = 0; first < edges.size(); first += kEdgesOfGroup, ++groups) {

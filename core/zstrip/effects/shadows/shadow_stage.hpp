@@ -1,11 +1,12 @@
 // Shadows. Before a frame, the stages that draw the picture draw the map from the light. After a strip, its shadowed
-// pixels are drawn again without the light: all cells without shadow then hold a depth that is nearer than any
-// fragment. Strips without shadowed pixels are drawn once.
+// pixels are drawn again without the light: their cells are cleared, and no cell without shadow lets a fragment pass.
+// Strips without shadowed pixels are drawn once.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 
+#include "zstrip/effects/edges/saved_depth.hpp"
 #include "zstrip/effects/quadrics/quadric_stage.hpp"
 #include "zstrip/effects/shadows/map_frame.hpp"
 #include "zstrip/effects/stage.hpp"
@@ -33,7 +34,7 @@ struct Stage : NoStage {
   static Status change_scene(FrameState& frame, Scene& drawn, const FrameRequest& request, const Camera&) {
     if (!request.called_for.has(effect::shadows)) return {};
     frame.has_special_depth = true;
-    ShadowState& state = begin_state(frame, request.scene);
+    ShadowState& state = begin_state(frame, request.scene, pool_end<effects>(frame, request.scene));
     drawn.lights = state.scene.lights;
     LightReach reach(drawn.lights.back());
     for (const Instance& instance : drawn.instances) {
@@ -67,12 +68,31 @@ struct Stage : NoStage {
 
   /// `target` was drawn with all lights.
   template <Effects effects>
-  static Status finish(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
+  static Status finish(FrameState& frame, const StripTarget& target, const StripImage& image) {
     if (target.area.empty() || !effect_block(frame).has(effect::shadows)) return {};
     ShadowState& state = state_of(frame);
     if (state.empty) return {};
+    if constexpr (effects.has(effect::edges)) {
+      // Edges are blended by the codes of what was drawn.
+      const bool keeps = !effects.any(kMayPassAgain) || !effect_block(frame).has(kMayPassAgain);
+      if (keeps) return shade<effects, true>(frame, target, state, image.strip);
+      if (edges::has_apron<effects>(frame)) {
+        const edges::SavedDepth saved(frame, target, image);
+        const Status status = shade<effects, false>(frame, target, state, image.strip);
+        saved.restore();
+        return status;
+      }
+    }
+    return shade<effects, false>(frame, target, state, image.strip);
+  }
+
+ private:
+  /// Draws the shadowed pixels again. With `keeps_codes` the z-buffer then holds the codes that it holds now; no
+  /// material may let a fragment pass twice.
+  template <Effects effects, bool keeps_codes>
+  static Status shade(FrameState& frame, const StripTarget& target, ShadowState& state, std::uint16_t strip) {
     Status status{};
-    const Rect shadowed = find<effects>(target, state, status);
+    const Rect shadowed = find<effects, keeps_codes>(target, state, status);
     if (!status || shadowed.empty()) return status;
     using Cell = DepthCell<depth_format(effects)>;
     // Bounds of depth begin again from the changed cells.
@@ -103,7 +123,16 @@ struct Stage : NoStage {
     return {};
   }
 
- private:
+  /// Returns the end of the memory for the map. The groups of edges follow.
+  template <Effects effects>
+  static std::byte* pool_end(const FrameState& frame, [[maybe_unused]] const Scene& scene) {
+    const EffectBlock block = effect_block(frame);
+    if constexpr (effects.has(effect::edges)) {
+      if (block.has(effect::edges)) return block.end() - std::size_t{edge_groups(scene)} * edges::Effect::kGroupBytes;
+    }
+    return block.end();
+  }
+
   /// Adds the work of drawing again between `before` and `after`.
   static void count_again(FrameState& frame, const Statistics& after, const Statistics& before) {
     auto& work = frame.statistics.work;
@@ -166,9 +195,9 @@ struct Stage : NoStage {
         });
   }
 
-  /// Sets the cells of shadowed pixels to 0 and all other cells to the nearest code. Returns a rectangle that contains
-  /// all shadowed pixels.
-  template <Effects effects>
+  /// Sets the cells of shadowed pixels to 0 and, unless their codes are kept, all other cells to the nearest code.
+  /// Returns a rectangle that contains all shadowed pixels.
+  template <Effects effects, bool keeps_codes>
   static Rect find(const StripTarget& target, ShadowState& state, Status& status) {
     constexpr DepthFormat kFormat = depth_format(effects);
     using Cell = DepthCell<kFormat>;
@@ -184,7 +213,7 @@ struct Stage : NoStage {
         std::int32_t first = INT32_MAX, last = INT32_MIN;
         for (std::int32_t x = left; x < right; ++x, ++cell) {
           const std::uint32_t code = *cell;
-          *cell = static_cast<Cell>(-1);
+          if constexpr (!keeps_codes) *cell = static_cast<Cell>(-1);
           if (code == 0) continue;
           if constexpr (effects.has(effect::statistics)) ++target.statistics->work[WorkKind::shadow_samples];
           const MapPoint<effects.has(effect::orthographic), kFormat> at(row, x, depth_of_code<kFormat>(code));
