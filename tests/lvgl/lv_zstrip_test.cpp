@@ -341,6 +341,28 @@ TEST(LvglWidget, AnotherSizeIsPlannedAgain) {
   EXPECT_EQ(logged(), "");
 }
 
+/// Its size was compared with that of the last picture, so that it went on to say what was wrong.
+TEST(LvglWidget, IsShownAgainAfterASizeThatCouldNotBeDrawn) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
+  const Scene3d scene("teapot_meshlets");
+  lv_obj_t* const widget = widget_on_screen(scene, false);
+  lv_obj_t* const parent = lv_obj_create(lv_screen_active());
+  lv_obj_remove_style_all(parent);
+  lv_obj_set_pos(parent, kLeft, kTop);
+  lv_obj_set_size(parent, kAcross, kDown);
+  lv_obj_set_parent(widget, parent);
+  lv_obj_set_pos(widget, 0, 0);
+  lv_obj_set_size(widget, lv_pct(100), lv_pct(100));  // it is told its new size alone
+  screen.run(50);
+  lv_obj_set_size(parent, 5000, kDown);
+  screen.run(50);
+  EXPECT_STREQ(lv_zstrip_get_error(widget), "the widget is larger than 4096 pixels");
+  lv_obj_set_size(parent, kAcross, kDown);
+  screen.run(50);
+  EXPECT_STREQ(lv_zstrip_get_error(widget), "");
+  EXPECT_EQ(wrong_pixels(screen, Wanted("teapot_meshlets", 0), false), 0U);
+}
+
 TEST(LvglWidget, SaysWhatIsWrongOnTheScreenAndInTheLog) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   lv_obj_set_style_bg_color(lv_screen_active(), lv_color_hex(kParent), 0);
@@ -356,7 +378,7 @@ TEST(LvglWidget, SaysWhatIsWrongOnTheScreenAndInTheLog) {
     return seen > 100;
   };
   EXPECT_FALSE(words_are_seen());
-  for (const std::size_t bytes : {100U, 2'500U}) {
+  for (const std::size_t bytes : {100U, 2'500U, 4'000U}) {
     const Scene3d scene("teapot_meshlets", bytes);
     EXPECT_FALSE(lv_zstrip_set_scene(widget, &scene.scene));
     const std::string words = lv_zstrip_get_error(widget);
@@ -364,6 +386,8 @@ TEST(LvglWidget, SaysWhatIsWrongOnTheScreenAndInTheLog) {
     EXPECT_NE(logged().find(words), std::string::npos);
     screen.run(50);
     EXPECT_TRUE(words_are_seen());
+    EXPECT_FALSE(lv_zstrip_play_clip(widget, 0, 0, true));
+    EXPECT_EQ(lv_zstrip_get_error(widget), words) << "a clip that the scene lacks has no words on the screen";
   }
   EXPECT_TRUE(lv_zstrip_set_scene(widget, nullptr));
   screen.run(50);
@@ -371,6 +395,27 @@ TEST(LvglWidget, SaysWhatIsWrongOnTheScreenAndInTheLog) {
   EXPECT_STREQ(lv_zstrip_get_error(widget), "");
   zstrip_picked picked;
   EXPECT_FALSE(lv_zstrip_pick(widget, 1, 1, &picked));
+}
+
+/// Words that are too long were drawn into the padding, in some of LVGL's pieces.
+TEST(LvglWidget, WordsStayInItsContent) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
+  const Scene3d scene("teapot_meshlets", 100);
+  lv_obj_set_style_bg_color(lv_screen_active(), lv_color_hex(kParent), 0);
+  lv_obj_t* const widget = lv_zstrip_create(lv_screen_active());
+  lv_obj_set_pos(widget, kLeft, kTop);
+  lv_obj_set_size(widget, kAcross, 30);
+  lv_obj_set_style_pad_all(widget, 5, 0);
+  EXPECT_FALSE(lv_zstrip_set_scene(widget, &scene.scene));
+  screen.run(50);
+  std::size_t inside = 0, outside = 0;
+  for (std::int32_t i = 0; i < kAcross * 30; ++i) {
+    const std::int32_t x = i % kAcross, y = i / kAcross;
+    const bool is_content = x >= 5 && x < kAcross - 5 && y >= 5 && y < 25;
+    if (screen.rgb565(kLeft + x, kTop + y) != kParent565) ++(is_content ? inside : outside);
+  }
+  EXPECT_GT(inside, 50U);
+  EXPECT_EQ(outside, 0U);
 }
 
 TEST(LvglWidget, NamesAFormatThatCannotShowIt) {

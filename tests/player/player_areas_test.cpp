@@ -123,6 +123,21 @@ TEST(PlayerAreas, TheMaskIsWhatHidesEveryBackground) {
   }
 }
 
+/// Shadows leave depth where nothing was drawn, so that all of the scene's rectangle was in the mask.
+TEST(PlayerAreas, TheMaskOfASceneWithShadowsHasNoBackground) {
+  Fitted shown("shadows", PixelFormat::rgb565, {.strip_rows = 16, .masked = true});
+  Player& player = shown.player;
+  const std::vector<bool> wanted = drawn_over(player, PixelFormat::rgb565);
+  player.background(kBlue);
+  std::vector<std::byte> pixels(2U * kWidth * kHeight);
+  std::vector<std::uint8_t> mask(wanted.size());
+  ASSERT_TRUE(player.begin() && player.draw_area({0, 0, kWidth, kHeight}, pixels, 2U * kWidth, mask, kWidth));
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < mask.size(); ++i) wrong += (mask[i] != 0) != wanted[i] ? 1U : 0U;
+  EXPECT_EQ(wrong, 0U);
+  EXPECT_NE(std::ranges::count(mask, std::uint8_t{255}), 0);
+}
+
 TEST(PlayerAreas, AnyRectangleHasThePicturesPixelsAndMask) {
   for (const std::size_t bytes : {24'000U, 400'000U}) {
     Fitted shown("teapot_meshlets", PixelFormat::rgb565, {.masked = true}, bytes);
@@ -261,6 +276,25 @@ TEST(PlayerAreas, ATextThatIsSetDuringAFrameIsInTheNextOne) {
   EXPECT_TRUE(player.changed().empty()) << "of the same frame";
   ASSERT_TRUE(player.begin());
   EXPECT_FALSE(player.changed().empty());
+}
+
+/// The frame before was drawn with parts of the one that failed, and changed() read a font that was not there.
+TEST(PlayerAreas, AfterAFaultOfBeginThereIsNoFrame) {
+  Blob blob = blob_of("teapot_meshlets");
+  Memory memory(400'000);
+  Player player(memory.span(), [](Effects called_for) -> DrawnWith { return {called_for, pipeline_for(called_for)}; });
+  ASSERT_TRUE(player.open(blob.data(), blob.size()) && player.fit(kWidth, kHeight, PixelFormat::rgb565));
+  EXPECT_FALSE(player.changed().empty());
+  player.show_text("no overlay");
+  EXPECT_FALSE(player.begin());
+  DrawnStrip drawn;
+  EXPECT_FALSE(player.draw_strip(0, drawn));
+  EXPECT_STREQ(player.error(), "a strip cannot be drawn: draw_strip needs a successful begin_frame");
+  Picked picked;
+  EXPECT_FALSE(player.pick(pick_with_any, 0, 0, picked));
+  EXPECT_TRUE(player.changed().empty());
+  player.show_text(nullptr);
+  EXPECT_TRUE(player.begin() && player.draw_strip(0, drawn)) << player.error();
 }
 
 /// A fan and a robot move in a room.

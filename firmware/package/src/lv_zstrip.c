@@ -152,6 +152,10 @@ static bool prepare(lv_zstrip_t* widget) {
   widget->fitted = 1;
   widget->planned = 0;
   widget->error = "";
+  /* Also of a size that cannot be drawn: the next one is compared with it. */
+  lv_image_header_t* header = &widget->source.header;
+  header->w = (uint32_t)width & 0xFFFF;
+  header->h = (uint32_t)height & 0xFFFF;
 #if !LV_USE_DRAW_SW || !LV_DRAW_SW_SUPPORT_RGB565
   fail(widget, "lv_conf.h has no LV_USE_DRAW_SW, or no LV_DRAW_SW_SUPPORT_RGB565");
   return false;
@@ -166,11 +170,8 @@ static bool prepare(lv_zstrip_t* widget) {
     return false;
   }
   widget->planned = 1;
-  lv_image_header_t* header = &widget->source.header;
   header->magic = LV_IMAGE_HEADER_MAGIC;
   header->cf = widget->transparent ? LV_COLOR_FORMAT_RGB565A8 : LV_COLOR_FORMAT_RGB565;
-  header->w = (uint32_t)width & 0xFFFF;
-  header->h = (uint32_t)height & 0xFFFF;
   header->stride = (uint32_t)(2 * width) & 0xFFFF;
   if (widget->transparent) widget->background = background_behind(&widget->obj);
   begin_frame(widget);
@@ -263,7 +264,10 @@ static void draw_words(lv_layer_t* layer, lv_zstrip_t* widget, const char* words
   dsc.text_local = 1;
   lv_area_t area;
   lv_obj_get_content_coords(&widget->obj, &area);
-  lv_draw_label(layer, &dsc, &area);
+  /* LVGL draws longer words beyond the area in some of its pieces of a screen, and not in others. */
+  const lv_area_t whole = layer->_clip_area;
+  if (lv_area_intersect(&layer->_clip_area, &whole, &area)) lv_draw_label(layer, &dsc, &area);
+  layer->_clip_area = whole;
 }
 
 static void draw(lv_event_t* e, lv_zstrip_t* widget) {
@@ -473,8 +477,10 @@ void lv_zstrip_pause(lv_obj_t* obj) {
 bool lv_zstrip_play_clip(lv_obj_t* obj, uint32_t clip, uint16_t fade, bool loops) {
   LV_ASSERT_OBJ(obj, &lv_zstrip_class);
   lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  /* The player's words would replace those that the widget may be showing. */
   if (!zstrip_player_play_clip(widget->player, clip, fade, loops)) {
-    LV_LOG_WARN("lv_zstrip: %s", zstrip_player_error(widget->player));
+    LV_LOG_WARN("lv_zstrip: there is no clip %u: the scene has %u clips", (unsigned)clip,
+                (unsigned)lv_zstrip_get_clips(obj));
     return false;
   }
   widget->moved = 1;

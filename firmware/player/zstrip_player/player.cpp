@@ -413,8 +413,10 @@ bool Player::begin() {
   fault_ = Fault::none;
   if (!is_open_) return fail(Fault::not_open);
   if (!is_fitted_) return fail(Fault::not_fitted);
-  if (!stage()) return false;
+  // The frame before refers to what stage() changes, so that after a fault there is none.
+  state_.scene = nullptr;
   kept_strip_ = kNoStrip;
+  if (!stage()) return false;
   if (!keeps_tables_) ++version_;
   const Status begun = drawn_with_.pipeline.begin_frame(state_, staged_.scene, staged_.camera, view_, plan_, arena_);
   return begun || fail(Fault::frame, begun);

@@ -157,12 +157,14 @@ class Player {
     return end({}, {});
   }
 
-  /// Begins a frame at the time and from the place that were set last, for the next three functions and for pick.
+  /// Begins a frame at the time and from the place that were set last, for the next three functions and for pick. After
+  /// a fault there is none for them.
   bool begin();
   /// Draws a strip of the frame that was begun last. `drawn` is valid until the next call that draws or begins. The
   /// strip that was drawn last is not drawn again. A byte of the mask is 255 where something was drawn, also partly,
-  /// and 0 where only the background is seen. It is exact for opaque surfaces. A blended surface, sprite or label of
-  /// exactly the background's colour is not in it, nor are those of dithered scenes with fog.
+  /// and 0 where only the background is seen. It is exact for opaque surfaces that write depth of 16 bits, in scenes
+  /// without shadows. Any other surface, a sprite or a label of exactly the background's colour is not in it. In
+  /// dithered scenes with fog only those opaque surfaces are in it; without such depth all pixels are.
   bool draw_strip(std::uint16_t number, DrawnStrip& drawn);
   /// Draws the pixels of `area` of the frame that was begun last: those of the whole picture, in the view's format.
   /// `pixels`: the upper left pixel of `area`; its rows are `stride` bytes apart, and each starts at a byte. `mask`:

@@ -33,14 +33,17 @@ void mask_colours(PixelFormat format, std::uint16_t background, const std::byte*
 void Player::mask_strip(const Rect& area, const std::byte* pixels, std::uint8_t* mask) const {
   const std::span<std::uint8_t> all(mask,
                                     static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height()));
+  const Effects effects = drawn_with_.effects;
+  // With shadows a strip ends with cells that are not 0 where nothing was drawn.
+  const bool has_depth = !effects.any(effect::depth_formats | effect::depth_ranges) && effects.methods == 0 &&
+                         baked_.scene.shadow == nullptr;
   const bool dithered = baked_.scene.fog != nullptr && dithers_colours(view_);  // so is the background
   if (dithered) {
-    std::ranges::fill(all, std::uint8_t{0});
+    std::ranges::fill(all, has_depth ? std::uint8_t{0} : kDrawn);
   } else {
     mask_colours(view_.format, detail::rgb565(staged_.scene.background), pixels, all);
   }
-  const Effects effects = drawn_with_.effects;
-  if (effects.any(effect::depth_formats | effect::depth_ranges) || effects.methods != 0) return;
+  if (!has_depth) return;
   const auto columns = static_cast<std::int32_t>(sample_columns(view_));
   const auto rows = static_cast<std::int32_t>(sample_rows(view_));
   const Rect& samples = state_.depth_area;
