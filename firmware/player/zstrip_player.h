@@ -94,9 +94,10 @@ int zstrip_player_begin(zstrip_player* player);
 /** Draws the strip that has row `y` of the frame that was begun last. Its pixels are valid until the next call that
  * draws or begins. The strip that was drawn last is not drawn again. */
 int zstrip_player_strip(zstrip_player* player, uint16_t y, zstrip_strip* strip);
-/** Draws a rectangle of the frame that was begun last: the pixels of the whole picture. `pixels`: its upper left pixel,
- * with `bytes` from there on; its rows are `stride` bytes apart. `mask`: null, or the mask of the first pixel; its rows
- * are `mask_stride` bytes apart, and it has as many rows as the rectangle. */
+/** Draws a rectangle of the frame that was begun last: the pixels of the whole picture. A rectangle without pixels, as
+ * of zstrip_player_changed if nothing changed, is an error. `pixels`: its upper left pixel, with `bytes` from there on;
+ * its rows are `stride` bytes apart. `mask`: null, or the mask of the first pixel; its rows are `mask_stride` bytes
+ * apart, and it has as many rows as the rectangle. */
 int zstrip_player_draw_area(zstrip_player* player, const zstrip_area* area, void* pixels, size_t bytes, size_t stride,
                             uint8_t* mask, size_t mask_stride);
 /** Finds what a pixel of the picture shows, in the frame that was begun last, by zstrip_player_fit, _draw or _begin. A

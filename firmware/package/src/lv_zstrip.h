@@ -21,7 +21,7 @@ typedef struct {
   size_t scene_bytes;               ///< its size
   void* memory;                     ///< for the player and its strips: more of it means taller strips
   size_t memory_bytes;              ///< 5 KB for a small scene; lv_zstrip_get_error says how many are missing
-  const zstrip_pipeline* pipeline;  ///< the drawing code: zstrip_player/c_pipeline.hpp
+  const zstrip_pipeline* pipeline;  ///< the drawing code: zstrip_player/c_pipeline.hpp, with clipping
   const zstrip_picker* picker;      ///< for the event of a click: zstrip_player/c_picker.hpp; null: there is none
 } lv_zstrip_scene_t;
 

@@ -1,5 +1,5 @@
 // Gives a program in C its pipeline. In one file in C++:
-//     #include "scene.hpp"
+//     #include "scene.hpp"  // zstrip bake model.glb -o scene.hpp --clipping on
 //     extern "C" const zstrip_pipeline* scene_pipeline() {
 //       static constexpr zstrip_pipeline pipeline{zstrip::drawn_with<baked::kEffects>};
 //       return &pipeline;

@@ -166,7 +166,8 @@ class Player {
   /// without shadows. Any other surface, a sprite or a label of exactly the background's colour is not in it. In
   /// dithered scenes with fog only those opaque surfaces are in it; without such depth all pixels are.
   bool draw_strip(std::uint16_t number, DrawnStrip& drawn);
-  /// Draws the pixels of `area` of the frame that was begun last: those of the whole picture, in the view's format.
+  /// Draws the pixels of `area` of the frame that was begun last: those of the whole picture, in the view's format. An
+  /// empty `area`, as changed() returns if nothing changed, is an error.
   /// `pixels`: the upper left pixel of `area`; its rows are `stride` bytes apart, and each starts at a byte. `mask`:
   /// its bytes, `mask_stride` apart, if it is not empty. Nothing between the rows is written.
   bool draw_area(const Rect& area, std::span<std::byte> pixels, std::size_t stride, std::span<std::uint8_t> mask = {},

@@ -252,7 +252,7 @@ impl<'a> Player<'a> {
     }
 
     /// Draws a rectangle of the frame that was begun last. `pixels` begins with its upper left pixel; its rows are
-    /// `stride` bytes apart. `mask`: null, or the mask of the first pixel on, and the distance of its rows.
+    /// `stride` bytes apart. `mask`: none, or the mask from that pixel on, and the distance of its rows.
     pub fn draw_area(
         &mut self,
         area: Area,
