@@ -28,10 +28,11 @@ void take_fingerprints(const FrameState& frame, const Camera& camera, std::uint3
 /// rectangle touches, as do all instances of scenes with shadows or CSG. Instances with outlines or Mesh::skinning have
 /// no fingerprint.
 ///
-/// Unequal strips have equal fingerprints with a probability of 2^-32. The tables that a Mesh, a Texture, a Font or an
-/// OverlayImage refers to are not read: pass another `version` after the program has changed them, and if another
-/// renderer draws the scene with other effects. Visibility methods that keep something for the next frame need all
-/// strips.
+/// Unequal strips have equal fingerprints with a probability of 2^-32. The tables that a Mesh, a Texture, a LineSet, an
+/// EdgeSet, a Font or an OverlayImage refers to are not read: pass another `version` after the program has changed
+/// them, and if another renderer draws the scene with other effects. A strip of the background alone does not depend on
+/// `version`: if the other renderer dithers, let the display forget what it shows. Visibility methods that keep
+/// something for the next frame need all strips.
 template <std::size_t strips>
 class StripFingerprints {
  public:

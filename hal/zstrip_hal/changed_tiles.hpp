@@ -40,8 +40,9 @@ void pack_rows(const std::byte* from, std::byte* to, std::uint32_t bytes, std::u
 
 /// Wraps a display: each write() sends the smallest rectangle that has all tiles that changed, or nothing. `tiles`: as
 /// many as changed_tiles() says; tiles beyond them are always sent. A strip with fewer than `tile_rows` rows has
-/// tiles of its height. Frames may write other areas than the frame before; then everything is sent. `strips`: the
-/// strips whose fingerprints it remembers, four bytes each; further ones are always drawn.
+/// tiles of its height. Frames may write other areas than the frame before; then everything is sent. The areas of one
+/// frame must not overlap: the later one would not be sent again over a change of the earlier one. `strips`: the strips
+/// whose fingerprints it remembers, four bytes each; further ones are always drawn.
 ///
 /// A change of a tile is missed with a probability of about 2^-32. After an error the next frame is drawn and sent
 /// whole. `panel` must outlive it, and must not be written to in another way without forget(). The same thread may use
@@ -54,6 +55,8 @@ class ChangedTiles {
     if constexpr (requires { Panel::kRowStep; }) return Panel::kRowStep;
     return std::uint16_t{1};
   }();
+
+  static_assert(tile_rows % kRowStep == 0, "the panel takes areas that begin at multiples of its kRowStep");
 
   /// The number of strips whose fingerprints are remembered.
   static constexpr std::size_t kStrips = strips;
