@@ -92,6 +92,8 @@ fn units_of(sources: &Path, out: &Path) -> Vec<PathBuf> {
 }
 
 struct Compiler {
+    /// A program that runs the compiler, such as `ccache`.
+    wrapper: Option<String>,
     program: String,
     flags: Vec<String>,
 }
@@ -124,7 +126,24 @@ impl Compiler {
         }
         flags.extend(tool("CXXFLAGS", target, || None).split_whitespace().map(str::to_string));
         flags.push(format!("-I{}", sources.display()));
-        Compiler { program, flags }
+        // `ccache g++` are two words, unless a file has this name.
+        match program.split_once(' ') {
+            Some((wrapper, behind)) if !Path::new(&program).exists() => {
+                Compiler { wrapper: Some(wrapper.to_string()), program: behind.trim().to_string(), flags }
+            }
+            _ => Compiler { wrapper: None, program, flags },
+        }
+    }
+
+    fn command(&self) -> Command {
+        match &self.wrapper {
+            None => Command::new(&self.program),
+            Some(wrapper) => {
+                let mut command = Command::new(wrapper);
+                command.arg(&self.program);
+                command
+            }
+        }
     }
 
     /// Returns the archiver of the same toolchain.
@@ -144,7 +163,7 @@ impl Compiler {
                 let own = files.iter().zip(&objects).skip(job).step_by(jobs);
                 scope.spawn(move || {
                     own.for_each(|(file, object)| {
-                        run(Command::new(&self.program).args(&self.flags).arg("-c").arg(file).arg("-o").arg(object))
+                        run(self.command().args(&self.flags).arg("-c").arg(file).arg("-o").arg(object))
                     })
                 });
             }

@@ -39,8 +39,9 @@ build_script() {
   mkdir "$2"
   env "${variables[@]}" CARGO_FEATURE_DEFAULT=1 TARGET="$1" CARGO_MANIFEST_DIR="$crate" OUT_DIR="$PWD/$2" NUM_JOBS=2 ./build_script
 }
+# The compiler behind another program, as behind ccache.
 host=$(rustc --version --verbose | sed -n 's/^host: //p')
-CXX=g++ CXXFLAGS=-O1 build_script "$host" host >said
+CXX='env g++' CXXFLAGS=-O1 build_script "$host" host >said
 read -r -a flags <<<"$(sed -n -e 's/^cargo:rustc-link-search=/-L /p' -e 's/^cargo:rustc-link-lib=/-l /p' said | tr '\n' ' ')"
 [ ${#flags[@]} -eq 4 ] || complain "build.rs names no library: $(cat said)"
 rustc --edition 2021 -O -D warnings --crate-type rlib --crate-name zstrip "${flags[@]}" "$crate/src/lib.rs"
