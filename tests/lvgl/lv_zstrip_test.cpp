@@ -313,6 +313,8 @@ TEST(LvglWidget, ADragMovesTheCameraAndAClickPicks) {
   screen.release();
   screen.roll(3);
   EXPECT_EQ(lv_zstrip_get_zoom(widget), 130);
+  lv_zstrip_set_orbit(widget, 0, 130'000'000);
+  EXPECT_EQ(lv_zstrip_get_orbit_up(widget), 800) << "it wrapped to the other side";
   lv_zstrip_set_orbit(widget, 1800, 3600);
   EXPECT_EQ(lv_zstrip_get_orbit_up(widget), 800);
   EXPECT_EQ(lv_zstrip_get_orbit_right(widget), -1800);

@@ -536,7 +536,7 @@ static int32_t tenths_of(uint16_t angle) {
 
 void lv_zstrip_set_orbit(lv_obj_t* obj, int32_t right, int32_t up) {
   LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  set_orbit((lv_zstrip_t*)obj, angle_of(right), angle_of(up));
+  set_orbit((lv_zstrip_t*)obj, angle_of(right), angle_of(LV_CLAMP(-900, up, 900)));
 }
 
 int32_t lv_zstrip_get_orbit_right(lv_obj_t* obj) {
