@@ -97,7 +97,8 @@ class Planner {
     plan.colour_bytes = drawn_in_place(view_) ? 0 : rounded_up(cells * kWorkingColourBytes);
     if (has_apron(effects_, counts_)) {
       plan.depth_bytes = std::max(plan.depth_bytes, rounded_up(cells_with_apron(rows, columns, view_) * per_cell_));
-      plan.colour_bytes = rounded_up(colour_bytes_of_edges(rows, columns, view_, effects_));
+      const std::uint64_t saved = saves_codes(effects_) ? saved_bytes_of_edges(rows, columns, view_) : 0;
+      plan.colour_bytes = rounded_up(colour_bytes_of_edges(rows, columns, view_) + saved);
     }
     plan.effect_bytes = effect_bytes_;
     if (effects_.has(effect::csg)) {

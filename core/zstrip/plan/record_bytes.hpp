@@ -90,15 +90,19 @@ constexpr bool drawn_in_place(PixelFormat format) {
 inline constexpr Effects kMayPassAgain = effect::blending | effect::depth_state;
 
 /// Returns the bytes of a strip with its apron before edges are blended and, if the caller's pixels are not RGB565, of
-/// the strip's pixels after that. Codes that must survive the second pass of shadows are saved in the strip's pixels;
-/// those that find no room there follow.
-constexpr std::uint64_t colour_bytes_of_edges(std::uint32_t rows, std::uint32_t columns, const View& view,
-                                              Effects effects) {
-  static_assert(kWorkingColourBytes == kDepthBytes);
-  const std::uint64_t pixels = std::uint64_t{rows} * columns, drawn = cells_with_apron(rows, columns, view);
-  const std::uint64_t resolved = drawn_in_place(view.format) ? 0 : pixels;
-  const std::uint64_t saved = effects.has(effect::shadows) && effects.any(kMayPassAgain) ? drawn - pixels : 0;
-  return (drawn + resolved + saved) * kWorkingColourBytes;
+/// the strip's pixels after that.
+constexpr std::uint64_t colour_bytes_of_edges(std::uint32_t rows, std::uint32_t columns, const View& view) {
+  const std::uint64_t resolved = drawn_in_place(view.format) ? 0 : std::uint64_t{rows} * columns;
+  return (cells_with_apron(rows, columns, view) + resolved) * kWorkingColourBytes;
+}
+
+/// True if the codes of a strip with its apron must survive the second pass of shadows.
+constexpr bool saves_codes(Effects effects) {
+  return effects.has(effect::edges | effect::shadows) && effects.any(kMayPassAgain);
+}
+/// Returns the bytes for codes that are saved but find no room in the strip's pixels.
+constexpr std::uint64_t saved_bytes_of_edges(std::uint32_t rows, std::uint32_t columns, const View& view) {
+  return (cells_with_apron(rows, columns, view) - std::uint64_t{rows} * columns) * kDepthBytes;
 }
 
 /// With several samples a pixel, strips are not drawn in place: pixels are means of samples.

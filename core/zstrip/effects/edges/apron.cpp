@@ -11,7 +11,14 @@ Status check_request(const FrameRequest& request) {
   }
   const std::uint64_t cells = cells_with_apron(plan.strip_rows, plan.strip_columns, view);
   if (plan.depth_bytes < cells * kDepthBytes) return too_small(Purpose::depth, cells * kDepthBytes, plan.depth_bytes);
-  const std::uint64_t colour = colour_bytes_of_edges(plan.strip_rows, plan.strip_columns, view, request.called_for);
+  const std::uint64_t colour = colour_bytes_of_edges(plan.strip_rows, plan.strip_columns, view);
+  return plan.colour_bytes < colour ? too_small(Purpose::colour, colour, plan.colour_bytes) : Status{};
+}
+
+Status check_saved(const FrameRequest& request) {
+  const Plan& plan = request.plan;
+  const std::uint64_t colour = colour_bytes_of_edges(plan.strip_rows, plan.strip_columns, request.view) +
+                               saved_bytes_of_edges(plan.strip_rows, plan.strip_columns, request.view);
   return plan.colour_bytes < colour ? too_small(Purpose::colour, colour, plan.colour_bytes) : Status{};
 }
 

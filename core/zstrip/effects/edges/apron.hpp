@@ -39,5 +39,7 @@ void copy_without_apron(const std::uint16_t* from, const Rect& drawn, std::uint1
 
 /// Checks a request with edges: the plan must have room for aprons, and no effect that excludes edges may be in use.
 Status check_request(const FrameRequest& request);
+/// Checks that the plan has room for the codes that shadows save.
+Status check_saved(const FrameRequest& request);
 
 }  // namespace zstrip::detail::edges

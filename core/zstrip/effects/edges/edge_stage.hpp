@@ -31,7 +31,13 @@ struct Stage : NoStage {
 
   template <Effects effects>
   static Status check(const FrameRequest& request) {
-    return request.called_for.has(effect::edges) ? check_request(request) : Status{};
+    if (!request.called_for.has(effect::edges)) return {};
+    if constexpr (saves_codes(effects)) {
+      if (saves_codes(request.called_for)) {
+        if (const Status status = check_saved(request); !status) return status;
+      }
+    }
+    return check_request(request);
   }
   template <Effects effects>
   static Status prepare(FrameState& frame, const FrameRequest& request) {

@@ -10,7 +10,7 @@
 namespace zstrip::detail::edges {
 
 /// Saves the codes in the strip's pixels, which nothing uses until edges are blended. Those of the apron find no room
-/// there and follow the other pixels of the working strip; see colour_bytes_of_edges.
+/// there and follow the other pixels of the working strip; see saved_bytes_of_edges.
 class SavedDepth {
  public:
   SavedDepth(const FrameState& frame, const StripTarget& target, const StripImage& image)

@@ -46,7 +46,7 @@ Status check_memory(const FrameRequest& request) {
   return {};
 }
 
-ShadowState& begin_state(FrameState& frame, const Scene& scene, std::byte* end_of_pool) {
+ShadowState& begin_state(FrameState& frame, const Scene& scene) {
   auto* const state = ::new (&state_of(frame)) ShadowState;
   state->scene = scene;
   const std::size_t lights = scene.lights.size(), shadowing = scene.shadow->light;
@@ -57,7 +57,7 @@ ShadowState& begin_state(FrameState& frame, const Scene& scene, std::byte* end_o
   state->lights[next] = scene.lights[shadowing];
   state->scene.lights = {state->lights, lights};
   auto* const memory = reinterpret_cast<std::byte*>(state) + Effect::kStateBytes;
-  state->pool = {memory, end_of_pool};
+  state->pool = {memory, effect_block(frame).end()};
   state->decoded.forget();
   return *state;
 }

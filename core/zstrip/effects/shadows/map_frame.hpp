@@ -1,8 +1,6 @@
 // Draws the shadow map as a separate frame, in the memory of the frame that then gets the shadow.
 #pragma once
 
-#include <cstddef>
-
 #include "zstrip/effects/shadows/kept.hpp"
 #include "zstrip/effects/shadows/light_view.hpp"
 #include "zstrip/effects/stage.hpp"
@@ -17,8 +15,8 @@ inline bool casts(const Scene& scene, const Instance& instance) {
   return casts_shadow(scene.meshes[instance.mesh].shadow) && material.depth_write && !is_blended(scene, material);
 }
 
-/// Initialises and returns the state, whose scene has the shadow's light last. The map is kept up to `end_of_pool`.
-ShadowState& begin_state(FrameState& frame, const Scene& scene, std::byte* end_of_pool);
+/// Initialises and returns the state, whose scene has the shadow's light last.
+ShadowState& begin_state(FrameState& frame, const Scene& scene);
 /// Prepares the instances and strips of `light`, a separate frame in the memory of `frame`.
 Status prepare_map(FrameState& light, const FrameState& frame, const Scene& casters, const LightReach& reach,
                    ShadowState& state);

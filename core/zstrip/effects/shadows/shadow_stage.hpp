@@ -34,7 +34,14 @@ struct Stage : NoStage {
   static Status change_scene(FrameState& frame, Scene& drawn, const FrameRequest& request, const Camera&) {
     if (!request.called_for.has(effect::shadows)) return {};
     frame.has_special_depth = true;
-    ShadowState& state = begin_state(frame, request.scene, pool_end<effects>(frame, request.scene));
+    ShadowState& state = begin_state(frame, request.scene);
+    if constexpr (effects.has(effect::edges)) {
+      // The groups of edges follow the pool; see end_of_pool.
+      if (request.called_for.has(effect::edges)) {
+        const std::size_t groups = std::size_t{request.counts.edge_groups} * edges::Effect::kGroupBytes;
+        state.pool = state.pool.first(state.pool.size() - groups);
+      }
+    }
     drawn.lights = state.scene.lights;
     LightReach reach(drawn.lights.back());
     for (const Instance& instance : drawn.instances) {
@@ -121,16 +128,6 @@ struct Stage : NoStage {
       count_again(frame, all, counted);
     }
     return {};
-  }
-
-  /// Returns the end of the memory for the map. The groups of edges follow.
-  template <Effects effects>
-  static std::byte* pool_end(const FrameState& frame, [[maybe_unused]] const Scene& scene) {
-    const EffectBlock block = effect_block(frame);
-    if constexpr (effects.has(effect::edges)) {
-      if (block.has(effect::edges)) return block.end() - std::size_t{edge_groups(scene)} * edges::Effect::kGroupBytes;
-    }
-    return block.end();
   }
 
   /// Adds the work of drawing again between `before` and `after`.
