@@ -431,29 +431,34 @@ class Composer {
     if (bent.skins.empty() && bent.morphs.empty()) return Done{};
     const PlacedModel& placed = models_[*bent_];
     bent.meshes = composed_->meshes;
-    bent.joints = placed.model->joints;
-    bent.rest = placed.model->rest;
-    bent.joint_nodes = placed.model->joint_nodes;
-    bent.tree = placed.model->tree;
-    bent.weights = placed.model->weights;
-    bent.units = placed.model->units;
+    // Moved, because nothing reads them there any more, and copies take more code; placed.animation stays where it is.
+    Model& model = *std::ranges::find_if(composed_->models, [&](const Model& each) { return &each == placed.model; });
+    bent.joints = std::move(model.joints);
+    bent.rest = std::move(model.rest);
+    bent.joint_nodes = std::move(model.joint_nodes);
+    bent.tree = std::move(model.tree);
+    bent.weights = std::move(model.weights);
+    bent.units = model.units;
     double largest = 0;  // length in the scene of a unit of the model
     for (const PlacedPart& part : placed_) {
       if (part.bends()) {
         largest = std::max(largest, part.file->placement.scale[0] * composed_->units.scale / bent.units.scale);
       }
     }
-    NodeAnimation animation = *placed.animation;
-    if (std::abs(animation.duration - duration_) > kSameDuration) {
-      animation = joined_clips(bent.tree, std::vector{ClipStep{.clip = placed.animation, .seconds = duration_}});
+    const NodeAnimation* animation = placed.animation;
+    NodeAnimation repeated;
+    if (std::abs(animation->duration - duration_) > kSameDuration) {
+      const ClipStep whole{.clip = animation, .seconds = duration_};
+      repeated = joined_clips(bent.tree, {&whole, 1});
+      animation = &repeated;
     }
     const double tolerance = kAnimationTolerance * std::min(kComposedRadius / largest, kMaxCoarseness);
     const auto wrong = [this](const Failure& failure) {
       return at_line(file_.path, file_.models[*bent_].line, "[[model]]: the animation " + failure.message);
     };
-    Result<FittedAnimation> joints = fit_joint_animation(bent, animation, tolerance);
+    Result<FittedAnimation> joints = fit_joint_animation(bent, *animation, tolerance);
     if (!joints) return wrong(joints.failure());
-    Result<FittedWeights> weights = fit_weight_animation(bent, animation, tolerance);
+    Result<FittedWeights> weights = fit_weight_animation(bent, *animation, tolerance);
     if (!weights) return wrong(weights.failure());
     composed_->joint_animation = std::move(*joints);
     composed_->weight_animation = std::move(*weights);
