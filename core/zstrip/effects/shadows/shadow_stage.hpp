@@ -95,9 +95,10 @@ struct Stage : NoStage {
 
  private:
   /// Draws the shadowed pixels again. With `keeps_codes` the z-buffer then holds the codes that it holds now; no
-  /// material may let a fragment pass twice.
+  /// material may let a fragment pass twice. Inlined, as most renderers have one call.
   template <Effects effects, bool keeps_codes>
-  static Status shade(FrameState& frame, const StripTarget& target, ShadowState& state, std::uint16_t strip) {
+  [[gnu::always_inline]] static Status shade(FrameState& frame, const StripTarget& target, ShadowState& state,
+                                             std::uint16_t strip) {
     Status status{};
     const Rect shadowed = find<effects, keeps_codes>(target, state, status);
     if (!status || shadowed.empty()) return status;
