@@ -67,7 +67,7 @@ function build(programs, headers, name = 'built') {
     {encoding: 'utf8', env: {PATH: join(machine, 'bin'), ZSTRIP_HEADERS: join(machine, 'include')}});
 }
 
-const kPrograms = ['emcmake', 'wasm-opt', 'cmake', 'ninja', 'node'];
+const kPrograms = ['emcmake', 'wasm-opt', 'terser', 'cmake', 'ninja', 'node'];
 const kHeaders = ['CLI', 'nlohmann', 'stb', 'toml++', 'utf8cpp'];
 
 test('what the build lacks is named by the packages that have it', () => {
