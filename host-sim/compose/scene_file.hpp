@@ -13,6 +13,7 @@
 #include "import/source_model.hpp"
 #include "motion/affine.hpp"
 #include "motion/node_tree.hpp"
+#include "render/orbit_limits.hpp"
 #include "result.hpp"
 #include "zstrip/effects.hpp"
 #include "zstrip/overlay.hpp"
@@ -60,6 +61,7 @@ struct FileCamera {
   std::optional<double> field_of_view;  ///< degrees
   std::optional<double> half_height;    ///< half the height that an orthographic camera shows
   std::optional<double> near_plane, far_plane;
+  OrbitLimits orbit{};  ///< without a target
 };
 
 /// A part of a [[model]]: one step of a sequence of its animations.

@@ -96,6 +96,23 @@ AnimationEvent read_event(TomlTable& table) {
   return event;
 }
 
+OrbitLimits read_orbit(TomlTable& table) {
+  OrbitLimits orbit;
+  const auto read = [&table](const char* key, const Limits& limits, double place, OrbitLimits::Range& range) {
+    const auto numbers = table.numbers(key, 2, limits);
+    if (!numbers) return;
+    range = {(*numbers)[0], (*numbers)[1]};
+    if (range.least <= place && place <= range.most) return;
+    table.wrong(key,
+                fmt::format("'{}' must be the least and the most, and {} between them: the file's camera", key, place));
+  };
+  read("yaw", {-180, 180}, 0, orbit.yaw);
+  read("pitch", {-180, 180}, 0, orbit.pitch);
+  read("distance", {0.01, 100}, 1, orbit.distance);
+  table.finish();
+  return orbit;
+}
+
 FileCamera read_camera(TomlTable& table) {
   FileCamera camera;
   camera.line = table.line();
@@ -131,6 +148,7 @@ FileCamera read_camera(TomlTable& table) {
   if (camera.near_plane && camera.far_plane && *camera.near_plane >= *camera.far_plane) {
     table.wrong("near", "'near' must be less than 'far'");
   }
+  if (auto orbit = table.table("orbit", "[camera.orbit]")) camera.orbit = read_orbit(*orbit);
   table.finish();
   return camera;
 }

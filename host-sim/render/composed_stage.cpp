@@ -21,6 +21,16 @@ double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 /// Returns the unit vector of a vector that is not zero.
 Vector unit(const Vector& v) { return {v[0] / length(v), v[1] / length(v), v[2] / length(v)}; }
 
+/// Returns the vector to the point that the camera looks at, for a camera at an `eye`.
+Vector ahead_of(const FileCamera& from) {
+  Vector ahead{};
+  for (std::size_t i = 0; i < 3; ++i) ahead[i] = from.look_at[i] - (*from.eye)[i];
+  return ahead;
+}
+
+/// Returns the distance to the point that the camera looks at.
+double distance_of(const FileCamera& from) { return from.radius ? *from.radius : length(ahead_of(from)); }
+
 /// Converts the values of [camera], in the file's units.
 Result<Camera> camera_of(const FileCamera& from, const Units& units, double radius) {
   const double degrees = from.field_of_view.value_or(kDefaultFieldOfView);
@@ -31,8 +41,7 @@ Result<Camera> camera_of(const FileCamera& from, const Units& units, double radi
                          .orthographic = from.orthographic},
                         units, radius);
   }
-  Vector ahead{};
-  for (std::size_t i = 0; i < 3; ++i) ahead[i] = from.look_at[i] - (*from.eye)[i];
+  const Vector ahead = ahead_of(from);
   const double distance = length(ahead);
   return file_camera({.name = "of the scene",
                       .eye = *from.eye,
@@ -132,6 +141,13 @@ class ComposedStage : public CameraStage {
       clips.push_back({{}, composed_->animation, composed_->joint_animation, composed_->weight_animation, events()});
     }
     return clips;
+  }
+  /// The file's limits hold for the file's camera.
+  OrbitLimits orbit_limits() const override {
+    if (!file_->camera || options().placed()) return {};
+    OrbitLimits limits = file_->camera->orbit;
+    limits.target = composed_->units.scale * distance_of(*file_->camera);
+    return limits;
   }
   std::vector<ClipEvent> events() const override {
     return fit_events(file_->events,

@@ -32,6 +32,7 @@ class EdgedStage : public Stage {
   Result<std::vector<ModelClip>> clips() const override { return stage_->clips(); }
   WeightAnimation weight_animation() const override { return stage_->weight_animation(); }
   std::vector<ClipEvent> events() const override { return stage_->events(); }
+  OrbitLimits orbit_limits() const override { return stage_->orbit_limits(); }
   Turn turn() const override { return stage_->turn(); }
   Origins origins() const override { return stage_->origins(); }
   const Model* model() const override { return stage_->model(); }

@@ -12,6 +12,7 @@
 #include "render/camera.hpp"
 #include "render/default_look.hpp"
 #include "render/model_clip.hpp"
+#include "render/orbit_limits.hpp"
 #include "result.hpp"
 #include "zstrip/animation.hpp"
 #include "zstrip/blob.hpp"
@@ -59,6 +60,8 @@ class Stage {
   virtual WeightAnimation weight_animation() const { return {}; }
   /// Returns the events of animation(), as those of clip 0.
   virtual std::vector<ClipEvent> events() const { return {}; }
+  /// Returns how far the user may move the camera.
+  virtual OrbitLimits orbit_limits() const { return {}; }
   /// Returns the motion for scenes without an animation.
   virtual Turn turn() const = 0;
   /// Returns the places in the file that need effects, and the names of materials.

@@ -29,8 +29,11 @@ Fixed to_fixed(double value) {
 
 Fixed to_positive_fixed(double value) { return std::max(Fixed{1}, to_fixed(value)); }
 
+double clamped(double value, const OrbitLimits::Range& range) { return std::clamp(value, range.least, range.most); }
+
 /// Returns the distance from the eye to the centre of the rotation.
-double distance_to_pivot(const Camera& camera, const Vector& back) {
+double distance_to_pivot(const Camera& camera, const Vector& back, const OrbitLimits& limits) {
+  if (limits.target > 0) return limits.target;
   const double near_plane = static_cast<double>(camera.near_plane) / kFixedOne;
   const double far_plane = static_cast<double>(camera.far_plane) / kFixedOne;
   const double to_origin = scalar_product(from_fixed(camera.eye, kFixedOne), back);
@@ -45,13 +48,14 @@ Vector pivot_of(const Camera& camera, const Vector& back, double distance) {
 
 }  // namespace
 
-Orbiting within_limits(const Camera& camera, Orbiting by) {
+Orbiting within_limits(const Camera& camera, Orbiting by, const OrbitLimits& limits) {
+  by = {clamped(by.yaw, limits.yaw), clamped(by.pitch, limits.pitch), clamped(by.distance, limits.distance)};
   const Vector back = from_fixed(camera.back, kAxisOne);
   const double elevation = std::asin(std::clamp(back[1], -1.0, 1.0)) * 180 / std::numbers::pi;
   const double steepest = std::max(kSteepest, std::abs(elevation));
   by.pitch = std::clamp(elevation + by.pitch, -steepest, steepest) - elevation;
   // The eye stays in the range of coordinates in every direction.
-  const double distance = distance_to_pivot(camera, back);
+  const double distance = distance_to_pivot(camera, back, limits);
   double room = kFurthestEye;
   for (const double coordinate : pivot_of(camera, back, distance)) {
     room = std::min(room, kFurthestEye - std::abs(coordinate));
@@ -60,12 +64,12 @@ Orbiting within_limits(const Camera& camera, Orbiting by) {
   return by;
 }
 
-Camera orbited(const Camera& camera, const Orbiting& unlimited) {
+Camera orbited(const Camera& camera, const Orbiting& unlimited, const OrbitLimits& limits) {
   if (unlimited.yaw == 0 && unlimited.pitch == 0 && unlimited.distance == 1) return camera;
-  const Orbiting by = within_limits(camera, unlimited);
+  const Orbiting by = within_limits(camera, unlimited, limits);
   const Vector right = from_fixed(camera.right, kAxisOne), up = from_fixed(camera.up, kAxisOne),
                back = from_fixed(camera.back, kAxisOne);
-  const double distance = distance_to_pivot(camera, back);
+  const double distance = distance_to_pivot(camera, back, limits);
   const Vector pivot = pivot_of(camera, back, distance);
   // First about the camera's own axis: it is horizontal unless the scene's camera is tilted.
   const Affine turn = rotation(about_axis({0, 1, 0}, -by.yaw)) * rotation(about_axis(right, -by.pitch));

@@ -93,7 +93,7 @@ void Viewer::zoom(double steps) {
 
 Result<Staging> Viewer::placed() {
   Result<Staging> staging = drawer_->stage().place(frame_, frames_);
-  if (staging) staging->camera = orbited(staging->camera, orbiting_);
+  if (staging) staging->camera = orbited(staging->camera, orbiting_, drawer_->stage().orbit_limits());
   return staging;
 }
 
@@ -112,7 +112,7 @@ Result<std::string> Viewer::pick(PixelPlace pixel) {
 Result<ViewedFrame> Viewer::draw(bool with_png) {
   const Result<Staging> at_rest = drawer_->stage().place(frame_, frames_);
   if (!at_rest) return at_rest.failure();
-  orbiting_ = within_limits(at_rest->camera, orbiting_);
+  orbiting_ = within_limits(at_rest->camera, orbiting_, drawer_->stage().orbit_limits());
   const Result<Staging> staging = placed();
   if (!staging) return staging.failure();
   const Result<DrawnFrame> drawn = drawer_->draw(*staging, drawing_->visibility.show);

@@ -23,6 +23,7 @@ class TreeStage : public Stage {
   Result<Camera> camera(std::uint32_t frames) const override { return original_->camera(frames); }
   std::unique_ptr<Stage> copy() const override { return std::make_unique<TreeStage>(original_, prepared_, turn_); }
   const std::vector<std::string>& warnings() const override { return original_->warnings(); }
+  OrbitLimits orbit_limits() const override { return original_->orbit_limits(); }
   Turn turn() const override { return turn_; }
   Origins origins() const override { return original_->origins(); }
   const Model* model() const override { return original_->model(); }

@@ -25,7 +25,7 @@ TEST(SceneFile, EveryTable) {
       "ram = 4096\nframes = 12\nvisibility = 'midpoint'\niterations = 4\n"
       "cull = ['small', 'spheres']\nvisible_sets = 'rooms.zpv'\n"
       "[camera]\nr = 5\nphi = 30\ntheta = 60\nlook_at = [0, 1, 0]\nprojection = 'orthographic'\nhalf_height = 2\n"
-      "near = 0.5\nfar = 20\n"
+      "near = 0.5\nfar = 20\norbit = { yaw = [-40, 0], distance = [0.5, 2] }\n"
       "[[model]]\nname = 'pot'\nfile = 'pot.obj'\nup = '-z'\n"
       "[[material]]\nname = 'red'\ncolour = [255, 0, 0]\nlit = false\nsmooth = false\ndouble_sided = true\n"
       "depth_test = 'always'\ndepth_write = false\ndepth_bias = -3\n"
@@ -60,6 +60,10 @@ TEST(SceneFile, EveryTable) {
   EXPECT_EQ(file.camera->half_height, 2);
   EXPECT_EQ(file.camera->near_plane, 0.5);
   EXPECT_EQ(file.camera->far_plane, 20);
+  EXPECT_EQ(file.camera->orbit.yaw.least, -40);
+  EXPECT_EQ(file.camera->orbit.yaw.most, 0);
+  EXPECT_EQ(file.camera->orbit.pitch.most, 360) << "free";
+  EXPECT_EQ(file.camera->orbit.distance.most, 2);
   ASSERT_EQ(file.models.size(), 1U);
   EXPECT_EQ(file.models[0].file, "pot.obj");
   EXPECT_EQ(file.models[0].up, UpAxis::minus_z);
@@ -183,6 +187,8 @@ TEST(SceneFile, OutOfRangeOrMissing) {
       {"[camera]\neye = [0, 0, 1]\nphi = 3\n", 8, "goes with 'r'"},
       {"[camera]\nr = 1\nhalf_height = 1\n", 8, "orthographic"},
       {"[camera]\nr = 1\nnear = 2\nfar = 1\n", 8, "less than"},
+      {"[camera]\nr = 1\norbit = { yaw = [10, 40] }\n", 8, "'yaw' must be the least and the most, and 0 between them"},
+      {"[camera]\nr = 1\norbit = { distance = [2, 1] }\n", 8, "and 1 between them"},
       {"[picture]\nsize = [0, 5]\n", 7, "from 1 to 4096"},
       {"[picture]\nframes = 1.5\n", 7, "whole number"},
       {"[[light]]\ncolour = '#fff'\ndirection = [0, 1, 0]\n", 7, "must be a colour"},

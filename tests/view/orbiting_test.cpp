@@ -1,6 +1,7 @@
 // Cameras that are moved by hand, against spherical coordinates.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -61,6 +62,22 @@ TEST(ViewOrbiting, WhatIsBeyondTheLimitsIsNotKept) {
   EXPECT_NEAR(within_limits(camera, {.pitch = 400}).pitch, 69, 0.01);
   EXPECT_NEAR(within_limits(camera, {.pitch = -400}).pitch, -109, 0.01);
   EXPECT_EQ(within_limits(camera, {.yaw = 3, .pitch = 5, .distance = 2}).pitch, 5);
+}
+
+TEST(ViewOrbiting, AScenesLimitsHoldAndItsTargetIsTheCentre) {
+  const Camera camera = camera_at(7, 20);
+  const OrbitLimits limits{.yaw = {-30, 0}, .pitch = {-5, 10}, .distance = {0.5, 1}, .target = 3};
+  const Orbiting by = within_limits(camera, {.yaw = -90, .pitch = 80, .distance = 4}, limits);
+  EXPECT_EQ(by.yaw, -30);
+  EXPECT_EQ(by.pitch, 10);
+  EXPECT_EQ(by.distance, 1);
+  const Camera moved = orbited(camera, {.yaw = 90, .pitch = 10, .distance = 0.5}, limits), same = orbited(camera, {});
+  const auto target = [](const Camera& from, double distance) {
+    const auto at = [&](Fixed eye, std::int32_t back) { return from_fixed(eye) - distance * back / (1 << 30); };
+    return std::array{at(from.eye.x, from.back.x), at(from.eye.y, from.back.y), at(from.eye.z, from.back.z)};
+  };
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(target(moved, 1.5)[i], target(same, 3)[i], 1e-3) << i;
+  EXPECT_EQ(moved.eye.x, 0) << "no yaw to that side";
 }
 
 /// Each coordinate was cut off alone, which turned the view.
