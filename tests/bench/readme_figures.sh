@@ -93,7 +93,7 @@ caption() {
     }
   ' docs/measured/gallery.csv docs/gallery.md
 }
-for scene in lighthouse astronaut train robot watch chess home; do
+for scene in lighthouse astronaut train robot watch chess home fox; do
   is=$(caption $scene)
   grep -qF "**$scene**<br>$is |" README.md || { echo "README.md: below the picture of $scene stands not: $is"; failed=1; }
 done
