@@ -97,12 +97,11 @@ TEST_F(EdgesCommand, OfASceneAreLeftOutOfWhatIsShownInsteadAndItIsSaid) {
   EXPECT_EQ(zstrip({"render", "knot.zsc", "-o", "x.png"}).err.find("edges are not smoothed"), std::string::npos);
 }
 
-TEST_F(EdgesCommand, BesideOutlinesShadowsAndCsgWereBakedAndAnInternalErrorOfRender) {
+TEST_F(EdgesCommand, BesideOutlinesAndCsgWereBakedAndAnInternalErrorOfRender) {
   const std::string box = "[[instance]]\nname = 'a'\nmodel = 'k'\n";
   const std::string moved = "[[instance]]\nname = 'b'\nmodel = 'k'\ntranslation = [0.3, 0.3, 0.3]\n";
   for (const auto& [part, words] : {std::pair{box + "outline = { width = 2 }\n", "outlines"},
-                                    {box + "[[light]]\ndirection = [0, -1, 0]\nshadow = {}\n", "shadow"},
-                                    {box + moved + "[[csg]]\nexpression = 'a - b'\n", "CSG"}}) {
+                                            {box + moved + "[[csg]]\nexpression = 'a - b'\n", "CSG"}}) {
     for (const bool is_key : {true, false}) {
       const std::string picture = is_key ? "[picture]\nedges = true\n" : "";
       file("s.toml", picture + "[[model]]\nname = 'k'\nbuilt_in = 'knot_lit'\n" + part);
