@@ -101,7 +101,7 @@ TEST_F(EdgesCommand, BesideOutlinesAndCsgWereBakedAndAnInternalErrorOfRender) {
   const std::string box = "[[instance]]\nname = 'a'\nmodel = 'k'\n";
   const std::string moved = "[[instance]]\nname = 'b'\nmodel = 'k'\ntranslation = [0.3, 0.3, 0.3]\n";
   for (const auto& [part, words] : {std::pair{box + "outline = { width = 2 }\n", "outlines"},
-                                            {box + moved + "[[csg]]\nexpression = 'a - b'\n", "CSG"}}) {
+                                    {box + moved + "[[csg]]\nexpression = 'a - b'\n", "CSG"}}) {
     for (const bool is_key : {true, false}) {
       const std::string picture = is_key ? "[picture]\nedges = true\n" : "";
       file("s.toml", picture + "[[model]]\nname = 'k'\nbuilt_in = 'knot_lit'\n" + part);
