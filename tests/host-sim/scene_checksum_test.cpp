@@ -37,10 +37,23 @@ TEST_P(SceneChecksum, IsThatOfThePicture) {
   EXPECT_EQ(checksum(scene, {"--size", size, "--strip-rows", "1"}), golden);
   EXPECT_EQ(checksum(scene, {"--size", size, "--strip-rows", "7", "--strip-columns", "24"}), golden);
   EXPECT_EQ(checksum(scene, {"--size", size, "--threads", "3", "--strip-rows", "5"}), golden);
-  EXPECT_EQ(zstrip({"bake", scene, "-o", "p.zsc", "--size", size, "--quiet"}).status, 0);
-  EXPECT_EQ(checksum("p.zsc", {"--size", size}), golden);
+  // A blob bends its skin or smooths edges, not both.
+  std::vector<std::string> options{"--size", size};
+  const auto bake = [&] {
+    std::vector<std::string> arguments{"bake", scene, "-o", "p.zsc"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return zstrip(arguments);
+  };
+  Outcome baked = bake();
+  if (baked.err.find("with --edges a blob has no skins") != std::string::npos) {
+    options.emplace_back("--no-edges");
+    baked = bake();
+  }
+  EXPECT_EQ(baked.status, 0);
+  EXPECT_EQ(checksum("p.zsc", {"--size", size}), checksum(scene, options));
   // Several frames may have another camera, and what does not move by itself turns in them, or stands still.
-  EXPECT_EQ(checksums("p.zsc", {"--size", size, "--frames", "3"}), checksums(scene, {"--size", size, "--frames", "3"}));
+  options.insert(options.end(), {"--frames", "3"});
+  EXPECT_EQ(checksums("p.zsc", {"--size", size, "--frames", "3"}), checksums(scene, options));
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, SceneChecksum, testing::ValuesIn(scene_files()),
