@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "compose/bent_model.hpp"
 #include "compose/composed_csg.hpp"
 #include "compose/composed_lights.hpp"
 #include "compose/composed_lines.hpp"
@@ -21,7 +22,6 @@
 #include "compose/placed_part.hpp"
 #include "compose/timeline.hpp"
 #include "import/quantise.hpp"
-#include "motion/clip_sequence.hpp"
 #include "render/model_animation.hpp"
 #include "zstrip/scene/validate.hpp"
 
@@ -29,12 +29,6 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::size_t kMaxSceneInstances = 65535, kMaxOutlines = 255;
-
-/// The motion of a small model in a large scene is so many times coarser than alone, at most: the camera may be near.
-constexpr double kMaxCoarseness = 16;
-
-/// Durations that differ by less, in seconds, are the same in milliseconds.
-constexpr double kSameDuration = 1e-4;
 
 /// Returns the corners of the box that holds a mesh that bends in every pose.
 std::vector<Vector> corners_of_poses(const Mesh& mesh) {
@@ -95,7 +89,10 @@ class Composer {
     if (const Result<Done> done = add_overlay(file_, *composed_); !done) return done.failure();
     leave_out_unread_normals(*composed_);
     if (const Result<Done> done = animate(); !done) return done.failure();
-    if (const Result<Done> done = bend(); !done) return done.failure();
+    if (bent_) {
+      const Result<Done> done = bend(file_, file_.models[*bent_], models_[*bent_], placed_, duration_, *composed_);
+      if (!done) return done.failure();
+    }
     if (const Result<Done> done = check(); !done) return done.failure();
     return std::unique_ptr<const ComposedScene>(std::move(composed_));
   }
@@ -421,47 +418,6 @@ class Composer {
                                                    kAnimationTolerance * kComposedRadius);
     if (!fitted) return at_line(file_.path, 1, "the animation " + fitted.failure().message);
     composed_->animation = std::move(*fitted);
-    return Done{};
-  }
-
-  /// Sets the joints and weights of the model that bends, and their motion, which lasts as long as the scene's
-  /// animation.
-  Result<Done> bend() {
-    Model& bent = composed_->bent;
-    if (bent.skins.empty() && bent.morphs.empty()) return Done{};
-    const PlacedModel& placed = models_[*bent_];
-    bent.meshes = composed_->meshes;
-    // Moved, because nothing reads them there any more, and copies take more code; placed.animation stays where it is.
-    Model& model = *std::ranges::find_if(composed_->models, [&](const Model& each) { return &each == placed.model; });
-    bent.joints = std::move(model.joints);
-    bent.rest = std::move(model.rest);
-    bent.joint_nodes = std::move(model.joint_nodes);
-    bent.tree = std::move(model.tree);
-    bent.weights = std::move(model.weights);
-    bent.units = model.units;
-    double largest = 0;  // length in the scene of a unit of the model
-    for (const PlacedPart& part : placed_) {
-      if (part.bends()) {
-        largest = std::max(largest, part.file->placement.scale[0] * composed_->units.scale / bent.units.scale);
-      }
-    }
-    const NodeAnimation* animation = placed.animation;
-    NodeAnimation repeated;
-    if (std::abs(animation->duration - duration_) > kSameDuration) {
-      const ClipStep whole{.clip = animation, .seconds = duration_};
-      repeated = joined_clips(bent.tree, {&whole, 1});
-      animation = &repeated;
-    }
-    const double tolerance = kAnimationTolerance * std::min(kComposedRadius / largest, kMaxCoarseness);
-    const auto wrong = [this](const Failure& failure) {
-      return at_line(file_.path, file_.models[*bent_].line, "[[model]]: the animation " + failure.message);
-    };
-    Result<FittedAnimation> joints = fit_joint_animation(bent, *animation, tolerance);
-    if (!joints) return wrong(joints.failure());
-    Result<FittedWeights> weights = fit_weight_animation(bent, *animation, tolerance);
-    if (!weights) return wrong(weights.failure());
-    composed_->joint_animation = std::move(*joints);
-    composed_->weight_animation = std::move(*weights);
     return Done{};
   }
 

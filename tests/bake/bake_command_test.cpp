@@ -101,6 +101,16 @@ TEST_F(Bake, SceneFilesBendAsTheModelAlone) {
   }
 }
 
+/// Where the model is the whole scene, its motion is as fine as alone: joints were 16 times coarser in every scene.
+TEST_F(Bake, TheMotionOfAModelThatIsTheWholeSceneIsAsFineAsAlone) {
+  const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
+  file("alone.toml", "[[model]]\nname = 'a'\nfile = '" + figure + "'\n[[instance]]\nmodel = 'a'\n");
+  const auto keyframes = [this](const std::string& scene) {
+    return report({"bake", scene, "-o", "scene.hpp"}).at("flash_bytes").at("keyframes").get<double>();
+  };
+  EXPECT_NEAR(keyframes("alone.toml") / keyframes(figure), 1, 0.1);
+}
+
 TEST_F(Bake, HeadersHaveTheEventsOfTheirMotion) {
   report({"bake", BAKE_MODELS "/talker.toml", "-o", "talker.hpp"});
   const std::string header = read(path("talker.hpp"));
