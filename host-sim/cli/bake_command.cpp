@@ -32,6 +32,7 @@
 #include "cli/camera_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/output_names.hpp"
+#include "cli/output_skins.hpp"
 #include "cli/pico_arguments.hpp"
 #include "cli/picture_arguments.hpp"
 #include "cli/plan_arguments.hpp"
@@ -68,71 +69,6 @@ MipmapChoice mipmap_choice(const std::string& word) {
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
-/// Returns the option because of which vertices cannot move as in a blob: skins while they are drawn, morph targets
-/// before; empty if they can.
-std::string_view skins_stand_still(const BakeArguments& arguments, Effects method, const BakedSkins& skins,
-                                   const Scene& scene) {
-  if (method.any(zstrip::method::orders)) return "--visibility";
-  if (arguments.visible_sets) return "--visible-sets";
-  const auto is_skin = [&skins](const auto& set) { return skins.find(set.mesh) != nullptr; };
-  if (std::ranges::any_of(scene.edges, is_skin)) return "--edges";
-  return std::ranges::any_of(scene.lines, is_skin) ? "lines" : "";
-}
-
-/// The parts of the output that joints move: of a header the chosen animation, of a blob all clips.
-struct OutputSkins {
-  BakedSkins skins;
-  std::vector<ModelClip> clips;  ///< of a blob; empty: it has at most one animation, and that of instances
-};
-
-/// Returns the events of the clips, or without clips those of the stage's animation.
-std::vector<ClipEvent> events_of(const std::vector<ModelClip>& clips, const Stage& stage) {
-  if (clips.empty()) return stage.events();
-  std::vector<ClipEvent> events;
-  for (std::size_t i = 0; i < clips.size(); ++i) {
-    for (ClipEvent event : clips[i].events) {
-      event.clip = static_cast<std::uint16_t>(i);
-      events.push_back(event);
-    }
-  }
-  return events;
-}
-
-/// `file`: for messages.
-Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effects method, const Stage& stage,
-                             const Scene& scene, bool warn) {
-  if (is_source(kind)) return OutputSkins{skins_of(stage), {}};
-  OutputSkins output;
-  Result<std::vector<ModelClip>> clips = stage.clips();
-  if (!clips) return clips.failure();
-  const auto bends = [](const ModelClip& clip) { return !clip.joints.view().tracks.empty(); };
-  const auto morphs = [](const ModelClip& clip) { return !clip.weights.view().tracks.empty(); };
-  const Model* const model = stage.bent();
-  if (warn && stage.blob() != nullptr && !stage.blob()->morphs.meshes.empty()) {
-    print_warning("the morph targets of a baked scene stand still; bake the model itself");
-  }
-  if (model != nullptr && std::ranges::any_of(*clips, bends)) {
-    output.skins = {model->skins, model->joints, model->rest, {}};
-  }
-  if (model != nullptr && std::ranges::any_of(*clips, morphs)) {
-    output.skins.morphs = model->morphs;
-    output.skins.weights = model->weights.size();
-  }
-  const std::string_view why =
-      output.skins.move() ? skins_stand_still(arguments, method, output.skins, scene) : std::string_view();
-  if (!why.empty()) {
-    if (warn) {
-      print_warning(
-          fmt::format("with {} a blob has no skins and no morph targets: their meshes stand still as at frame 0; in a "
-                      "header (-o FILE.hpp) they move",
-                      why));
-    }
-    return OutputSkins{};
-  }
-  if (output.skins.move() || clips->size() > 1) output.clips = std::move(*clips);
-  return output;
 }
 
 /// Returns the effects that the picture's settings choose in addition to the view.
