@@ -18,39 +18,28 @@ double time_in(const NodeAnimation& clip, double seconds) {
   return seconds > clip.duration ? std::fmod(seconds, clip.duration) : seconds;
 }
 
-Placement placement_of(const NodeTree& tree, const NodeAnimation& clip, std::int32_t node, double seconds) {
-  return tree.placement(clip, node, time_in(clip, seconds));
-}
-
 double weight_of(const NodeAnimation& clip, std::uint32_t weight, double seconds) {
   const auto found = std::ranges::find(clip.weights, weight, &WeightCurve::weight);
-  return found == clip.weights.end() ? 0 : sample(found->curve, time_in(clip, seconds));
+  return found == clip.weights.end() ? 0 : sample(found->curve, seconds);
 }
 
+double mixed(double a, double b, double share) { return a + (b - a) * share; }
 Vector mixed(const Vector& a, const Vector& b, double share) {
-  return {a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share};
+  return {mixed(a[0], b[0], share), mixed(a[1], b[1], share), mixed(a[2], b[2], share)};
+}
+Placement mixed(const Placement& a, const Placement& b, double share) {
+  return {mixed(a.translation, b.translation, share), between(unit(a.rotation), unit(b.rotation), share),
+          mixed(a.scale, b.scale, share)};
 }
 
-/// Returns the placement of a node `seconds` after the start of step `i`.
-Placement at(const NodeTree& tree, std::span<const ClipStep> steps, std::size_t i, std::int32_t node, double seconds) {
+/// Returns a value `seconds` after the start of step `i`. value_of(clip, seconds): that of a clip alone.
+template <class ValueOf>
+auto faded(std::span<const ClipStep> steps, std::size_t i, double seconds, const ValueOf& value_of) {
   const ClipStep& step = steps[i];
-  const Placement own = placement_of(tree, *step.clip, node, seconds);
+  const auto own = value_of(*step.clip, time_in(*step.clip, seconds));
   if (seconds >= step.fade) return own;
   const ClipStep& before = steps[(i + steps.size() - 1) % steps.size()];
-  const Placement other = placement_of(tree, *before.clip, node, before.seconds + seconds);
-  const double share = seconds / step.fade;
-  return {mixed(other.translation, own.translation, share), between(unit(other.rotation), unit(own.rotation), share),
-          mixed(other.scale, own.scale, share)};
-}
-
-/// Returns a weight `seconds` after the start of step `i`.
-double weight_at(std::span<const ClipStep> steps, std::size_t i, std::uint32_t weight, double seconds) {
-  const ClipStep& step = steps[i];
-  const double own = weight_of(*step.clip, weight, seconds);
-  if (seconds >= step.fade) return own;
-  const ClipStep& before = steps[(i + steps.size() - 1) % steps.size()];
-  const double other = weight_of(*before.clip, weight, before.seconds + seconds);
-  return other + (own - other) * seconds / step.fade;
+  return mixed(value_of(*before.clip, time_in(*before.clip, before.seconds + seconds)), own, seconds / step.fade);
 }
 
 }  // namespace
@@ -76,7 +65,9 @@ NodeAnimation joined_clips(const NodeTree& tree, std::span<const ClipStep> steps
     NodeCurves& curves = joined.moved.emplace_back();
     curves.node = node;
     for (const auto& [step, seconds] : times) {
-      const Placement placement = at(tree, steps, step, node, seconds);
+      const Placement placement = faded(steps, step, seconds, [&](const NodeAnimation& clip, double time) {
+        return tree.placement(clip, node, time);
+      });
       for (std::vector<double>* const to : {&curves.translation.times, &curves.rotation.times, &curves.scale.times}) {
         to->push_back(starts[step] + seconds);
       }
@@ -89,7 +80,9 @@ NodeAnimation joined_clips(const NodeTree& tree, std::span<const ClipStep> steps
     Curve<std::array<double, 1>>& curve = joined.weights.emplace_back(WeightCurve{.weight = weight, .curve = {}}).curve;
     for (const auto& [step, seconds] : times) {
       curve.times.push_back(starts[step] + seconds);
-      curve.values.push_back({weight_at(steps, step, weight, seconds)});
+      curve.values.push_back({faded(steps, step, seconds, [weight](const NodeAnimation& clip, double time) {
+        return weight_of(clip, weight, time);
+      })});
     }
   }
   return joined;
