@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/staged_cost.hpp"
 #include "render/render_frame.hpp"
 #include "text/number.hpp"
 #include "zstrip/effects.hpp"
@@ -49,7 +50,7 @@ class Planning {
     drawn.mode = report->mode;
     return Alternative{.plan = plan,
                        .total_bytes = total_bytes(plan),
-                       .instructions = estimated_cost(counts_, effects_, request_.view, drawn, work_of(done)),
+                       .instructions = staged_cost(staging_, counts_, effects_, request_.view, drawn, work_of(done)),
                        .statistics = done,
                        .overflowed = drawn.mode != plan.mode};
   }

@@ -119,7 +119,10 @@ class ComposedStage : public CameraStage {
     }
     const scenes::BakedFrame staged =
         scenes::stage({at_rest, chosen_camera(), animation(), turn()}, frame, frames, {.instances = instances_});
-    return Staging{.scene = staged.scene, .camera = staged.camera, .version = bends() ? frame + 1 : 0};
+    return Staging{.scene = staged.scene,
+                   .camera = staged.camera,
+                   .version = bends() ? frame + 1 : 0,
+                   .bent_vertices = skins_.vertices()};
   }
 
   std::unique_ptr<Stage> copy() const override {

@@ -45,6 +45,12 @@ SkinnedMeshes::SkinnedMeshes(const Model& model, const Animation& joints, const 
   for (const ModelSkin& skin : model.skins) lend(skin.mesh, skin.bind);
 }
 
+std::size_t SkinnedMeshes::vertices() const {
+  std::size_t sum = 0;
+  for (const ModelSkin& skin : model_.skins) sum += moves() ? skin.bind.positions.size() : 0;
+  return sum;
+}
+
 MovedVertices SkinnedMeshes::memory_of(std::size_t mesh) {
   MeshData& moved = moved_[mesh];
   return {moved.positions, moved.normals, moved.meshlets};

@@ -22,6 +22,8 @@ class SkinnedMeshes {
 
   /// True if frames differ.
   bool moves() const { return moves_joints() || moves_weights(); }
+  /// Returns the number of vertices of skins, 0 if none moves.
+  std::size_t vertices() const;
   /// Returns the meshes of the model, with skins and morph targets posed for frame `frame` of `frames` frames that show
   /// the animation once. Valid until the next call.
   Result<std::span<const Mesh>> at(std::uint32_t frame, std::uint32_t frames);

@@ -29,9 +29,10 @@ namespace zstrip::sim {
 struct Staging {
   Scene scene;
   Camera camera;
-  BspTree tree{};             ///< for method::bsp, if one was baked for the scene
-  std::size_t splits = 0;     ///< triangles that were split for the tree
-  std::uint32_t version = 0;  ///< differs if the contents of a mesh's tables may differ (zstrip/fingerprints.hpp)
+  BspTree tree{};                 ///< for method::bsp, if one was baked for the scene
+  std::size_t splits = 0;         ///< triangles that were split for the tree
+  std::uint32_t version = 0;      ///< differs if the contents of a mesh's tables may differ (zstrip/fingerprints.hpp)
+  std::size_t bent_vertices = 0;  ///< vertices of skins that were moved for this frame
 };
 
 class Stage {

@@ -14,6 +14,7 @@
 #include "bench/board_estimate.hpp"
 #include "image/encode.hpp"
 #include "image/to_rgb.hpp"
+#include "plan/staged_cost.hpp"
 #include "report/plan_words.hpp"
 #include "text/number.hpp"
 
@@ -130,8 +131,8 @@ Result<ViewedFrame> Viewer::draw(bool with_png) {
   const Stage& stage = drawer_->stage();
   viewed.flash_bytes = flash_bytes(staging->scene, stage.animation(), staging->tree, skins_of(stage)).total();
   const Effects effects = effects_of(staging->scene, staging->camera) | effects_of(drawing_->view);
-  viewed.instructions = estimated_cost(count(staging->scene), effects, drawing_->view, viewed.report.plan,
-                                       work_of(viewed.report.statistics));
+  viewed.instructions = staged_cost(*staging, count(staging->scene), effects, drawing_->view, viewed.report.plan,
+                                    work_of(viewed.report.statistics));
   viewed.left_out = left_out_of_estimates(effects);
   const EstimatedFrame estimated{viewed.report.plan, drawing_->view, viewed.instructions};
   if (const BoardModel* const board = request_.board) {

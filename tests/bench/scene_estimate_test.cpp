@@ -8,6 +8,7 @@
 #include "cli/picture_arguments.hpp"
 #include "effects/cost/list.hpp"
 #include "measured/table.hpp"
+#include "plan/staged_cost.hpp"
 #include "render/edged_stage.hpp"
 #include "render/render_frame.hpp"
 #include "render/stage.hpp"
@@ -18,18 +19,10 @@ namespace {
 
 using measured::kExact;
 
-double estimate(const Scene& scene, const Camera& camera, const View& view, const FrameReport& report) {
-  return static_cast<double>(estimated_cost(count(scene), effects_of(scene, camera) | effects_of(view), view,
-                                            report.plan, work_of(report.statistics)));
-}
-
-/// Returns what bending skins takes, which estimates of drawing lack: on a Cortex-M3 some 400 instructions a vertex.
-double bending_of(const Stage& stage) {
-  constexpr double kVertex = 400;
-  double sum = 0;
-  if (!stage.bends()) return sum;
-  for (const ModelSkin& skin : stage.bent()->skins) sum += kVertex * static_cast<double>(skin.bind.positions.size());
-  return sum;
+double estimate(const Staging& staging, const View& view, const FrameReport& report) {
+  const Effects effects = effects_of(staging.scene, staging.camera) | effects_of(view);
+  return static_cast<double>(
+      staged_cost(staging, count(staging.scene), effects, view, report.plan, work_of(report.statistics)));
 }
 
 /// The mean of the frames that tests/gallery counts, in strips of so many rows.
@@ -49,7 +42,7 @@ double estimate_of_scene_file(const std::string& path, std::uint16_t strip_rows)
     if (!staging) throw std::runtime_error(staging.failure().message);
     const Result<FrameReport> report = renderer.render(*staging);
     if (!report) throw std::runtime_error(report.failure().message);
-    sum += estimate(staging->scene, staging->camera, view, *report) + bending_of(**stage);
+    sum += estimate(*staging, view, *report);
   }
   return sum / kFrames;
 }
@@ -83,9 +76,10 @@ double estimate_of_drawing(const effects_cost::Drawing& drawing) {
     scenes::Staged staged;
     stage(*drawing.scene, staged, frame, effects_cost::kFramesPerTurn, drawing.view);
     if (drawing.scene->pose != nullptr && !drawing.scene->pose(frame)) throw std::runtime_error("a pose failed");
-    const Result<FrameReport> report = renderer.render({.scene = staged.scene, .camera = staged.camera}, drawing.plan);
+    const Staging staging{.scene = staged.scene, .camera = staged.camera};
+    const Result<FrameReport> report = renderer.render(staging, drawing.plan);
     if (!report) throw std::runtime_error(report.failure().message);
-    sum += estimate(staged.scene, staged.camera, drawing.view, *report);
+    sum += estimate(staging, drawing.view, *report);
   }
   return sum / effects_cost::kFrames;
 }
