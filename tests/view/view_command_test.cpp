@@ -167,6 +167,26 @@ TEST_F(ViewCommand, TheHeatMapIsOfThePictureAsItIs) {
   EXPECT_TRUE(read(path("point-2.png")) == read(path("point-1.png")));
 }
 
+/// A drag is held back at the scene's limits, with edges or without, and further drags do nothing.
+TEST_F(ViewCommand, ASceneFileLimitsTheCamera) {
+  for (const char* const edges : {"false", "true"}) {
+    file("s.toml", std::string("camera = { r = 6, theta = 70, orbit = { yaw = [-20, 0], pitch = [0, 0], distance = "
+                               "[0.5, 1] } }\npicture = { size = [64, 48], edges = ") +
+                       edges + " }\n[[model]]\nname = 'k'\nbuilt_in = 'cube'\n[[instance]]\nmodel = 'k'\n");
+    const Outcome outcome = view(
+        "s.toml", "s,drag=0:30,s,drag=60:0,s,drag=-60:0,drag=-400:0,s,drag=-400:0,s,c,wheel=-5,s,q", {"--frames", "1"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    std::vector<std::string> shots;
+    for (int i = 1; i <= 6; ++i) shots.push_back(read(path("s-" + std::to_string(i) + ".png")));
+    EXPECT_TRUE(shots[1] == shots[0]) << "pitch, edges = " << edges;
+    EXPECT_TRUE(shots[2] == shots[0]) << "to the right, edges = " << edges;
+    EXPECT_TRUE(shots[3] != shots[0]) << "to the left, edges = " << edges;
+    EXPECT_TRUE(shots[4] == shots[3]) << "farther to the left, edges = " << edges;
+    EXPECT_TRUE(shots[5] == shots[0]) << "away, edges = " << edges;
+    for (int i = 1; i <= 6; ++i) std::filesystem::remove(path("s-" + std::to_string(i) + ".png"));
+  }
+}
+
 /// A person saves the model in another program.
 TEST_F(ViewCommand, ASceneThatIsSavedIsReadAgain) {
   const std::string name = file("a.obj", kTriangleObj);
