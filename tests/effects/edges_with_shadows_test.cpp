@@ -150,7 +150,7 @@ TEST(EdgesWithShadows, NeitherStripsNorBinsChangeAPixel) {
   expect_alike<without(kBoth, effect::quadrics) | effect::blending>(world);
 }
 
-/// What the codes need that find no room in the strip's pixels is planned, and no more.
+/// A plan has room for the codes that the strip's pixels do not hold, and no more.
 TEST(EdgesWithShadows, TakeTheBytesThatThePlanSays) {
   EdgedWorld world;
   world.shadow.pool = 40001;

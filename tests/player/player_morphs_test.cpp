@@ -265,7 +265,7 @@ TEST(PlayerEvents, OfAnimationsWithoutClips) {
   EXPECT_EQ(polled(scene.player), (Numbers{3, 65535}));
   scene.player.play(2300);
   EXPECT_EQ(polled(scene.player), Numbers{3});
-  // As constants of a header.
+  // The same scene as constants of a header.
   const SceneBlob& opened = scene.opened;
   ASSERT_TRUE(
       scene.player.open({opened.scene, opened.camera, opened.animation, opened.turn}, opened.view, opened.events));

@@ -17,7 +17,7 @@ const kFrames = {
   fox: 40
 };
 const kQuality = 70;
-const kBytes = 1.5e6;  // of all: the README shows them
+const kBytes = 1.5e6;  // the README shows all of them
 
 const [zstrip, images, ...names] = process.argv.slice(2);
 for (const name of names.length ? names : Object.keys(kFrames)) {
@@ -31,13 +31,10 @@ for (const name of names.length ? names : Object.keys(kFrames)) {
   const milliseconds = String(Math.round(1000 * seconds / frames));
   execFileSync(
       'img2webp',
-      [
-        '-loop', '0', '-lossy', '-q', String(kQuality), '-m', '6', '-d', milliseconds, ...pictures, '-o', file
-      ],
+      ['-loop', '0', '-lossy', '-q', String(kQuality), '-m', '6', '-d', milliseconds, ...pictures, '-o', file],
       {stdio: 'ignore'});
   fs.rmSync(scratch, {recursive: true});
   console.log(`${file}: ${frames} frames, ${fs.statSync(file).size} bytes`);
 }
-const bytes = Object.keys(kFrames).reduce(
-    (sum, name) => sum + fs.statSync(path.join(images, `gallery-${name}.webp`)).size, 0);
+const bytes = Object.keys(kFrames).reduce((sum, name) => sum + fs.statSync(`${images}/gallery-${name}.webp`).size, 0);
 if (bytes > kBytes) throw Error(`the pictures take ${bytes} bytes, more than ${kBytes}`);
