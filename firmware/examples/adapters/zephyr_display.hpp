@@ -49,7 +49,7 @@ class ZephyrDisplay {
     buffer.width = area.width;
     buffer.height = area.height;
     buffer.pitch = area.width;
-    buffer.frame_incomplete = area.left + area.width < width() || area.top + area.height < height();
+    set_incomplete(buffer, area.left + area.width < width() || area.top + area.height < height());
     if (pixels.size() < buffer.buf_size) return Error::pixels_too_small;
     return display_write(display_, area.left, area.top, &buffer, pixels.data()) == 0 ? Error::none : Error::bus;
   }
@@ -63,6 +63,11 @@ class ZephyrDisplay {
   static constexpr auto kLowFirst = PIXEL_FORMAT_BGR_565, kHighFirst = PIXEL_FORMAT_RGB_565;
 #endif
 
+  /// Older releases have no such member: their drivers show each strip at once.
+  template <typename Buffer>
+  static void set_incomplete(Buffer& buffer, bool incomplete) {
+    if constexpr (requires { buffer.frame_incomplete; }) buffer.frame_incomplete = incomplete;
+  }
   bool is(display_pixel_format format) const { return capabilities_.current_pixel_format == format; }
 
   const struct device* display_;
