@@ -4,11 +4,11 @@
 set -euo pipefail
 cd "$1/core/zstrip/kernels"
 operations='\b(ldr|str)(b|h|d|sb|sh)?(eq|ne)?\b'
-found=$(grep -rnP "$operations"'[^@\[]*(\[\w+,\s*#-?\d+(?!\d| \* \.L)|\[[^]]*\],\s*#-?\d+(?!\d| \* \.L))' thumb thumb1 thumb2 || true)
+found=$(grep -rnP "$operations"'[^@\[]*(\[\w+,\s*#-?\d+(?!\d| \* \.L)|\[[^]]*\],\s*#-?\d+(?!\d| \* \.L))' thumb thumb1 thumb2 mve || true)
 if [ -n "$found" ]; then
   printf 'offsets that are bare numbers:\n%s\n' "$found"
   exit 1
 fi
-for folder in thumb1 thumb2; do
+for folder in thumb1 thumb2 mve; do
   grep -rqP "$operations"'.*\[\w+, #\.L' "$folder" || { echo "finds no assembly in $folder"; exit 1; }
 done

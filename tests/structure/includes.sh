@@ -21,6 +21,7 @@ order=(
   'kernels/thumb/*'
   'kernels/thumb1/*'
   'kernels/thumb2/*'
+  'kernels/mve/*'
   'kernels/vector/*'
   'kernels/*'
   'effects/@(fog/fog|local_light/local_light|outlines/outline).?pp'
@@ -72,7 +73,8 @@ done < <(find core/zstrip -type f)
 while IFS=: read -r file line path; do
   # The compiler's own headers for its vectors, each in one place.
   case "$file $path" in
-    "core/zstrip/kernels/vector/sse2.hpp emmintrin.h" | "core/zstrip/kernels/vector/neon.hpp arm_neon.h") continue ;;
+    "core/zstrip/kernels/vector/sse2.hpp emmintrin.h" | "core/zstrip/kernels/vector/neon.hpp arm_neon.h" | \
+      "core/zstrip/kernels/mve/vectors.hpp arm_mve.h") continue ;;
   esac
   case "$path" in
     zstrip/*) ;;

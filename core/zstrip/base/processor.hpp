@@ -1,6 +1,7 @@
 // Selects the implementations of kernels for the processor. Vectors: SSE2 on every x86-64, NEON on every AArch64, both
 // also on x86 and Armv7-A if they are enabled. Assembly: Thumb-2 (Cortex-M3, M4, M7, M33, M55) and Thumb-1 (Cortex-M0,
-// M0+), but not the Cortex-M23, for which there is no emulator here.
+// M0+), but not the Cortex-M23, for which there is no emulator here. Helium, the vectors of a Cortex-M55, replaces some
+// of the assembly for Thumb-2.
 #pragma once
 
 // These are macros, because neither the compiler nor the assembler may see code that it does not support.
@@ -13,6 +14,11 @@
 #define ZSTRIP_HAS_NEON 1
 #else
 #define ZSTRIP_HAS_NEON 0
+#endif
+#if defined(__ARM_FEATURE_MVE) && !defined(__ARM_BIG_ENDIAN)
+#define ZSTRIP_HAS_MVE 1
+#else
+#define ZSTRIP_HAS_MVE 0
 #endif
 #define ZSTRIP_HAS_VECTORS (ZSTRIP_HAS_SSE2 || ZSTRIP_HAS_NEON)
 #if defined(__thumb2__) && (defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__) || defined(__ARM_ARCH_8M_MAIN__) || \
@@ -52,6 +58,7 @@ namespace zstrip::detail {
 inline constexpr bool kForSize = ZSTRIP_FOR_SIZE == 1;  ///< with -Os the specialised rasterisers are left out; the
                                                         ///< generic path draws the same pixels
 inline constexpr bool kHasVectors = ZSTRIP_HAS_VECTORS;
+inline constexpr bool kHasMve = ZSTRIP_HAS_MVE == 1;
 inline constexpr bool kHasThumb1 = ZSTRIP_HAS_THUMB1 == 1;
 inline constexpr bool kHasThumb2 = ZSTRIP_HAS_THUMB2 == 1;
 inline constexpr bool kCountsZeros = ZSTRIP_COUNTS_ZEROS == 1;

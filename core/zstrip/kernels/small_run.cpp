@@ -55,12 +55,11 @@ static_assert(sizeof(CarriedTriangles) <= kBinChunkBytes);
 [[gnu::used]] static constexpr auto* kSetUp = &set_up_small_thumb;
 [[gnu::used]] static constexpr auto* kScan = &scan_small_thumb;
 
-// Draws a triangle that is not small, with the area and the colours of the run's scan. Returns false if it is not a
-// medium one either. `used`: the assembly calls it by name.
-[[gnu::used]] bool draw_medium_of_run(const ThumbSmallRun& run, const SnappedVertex& v0, const SnappedVertex& v1,
-                                      const SnappedVertex& v2) asm("zstrip_draw_medium_of_run");
-bool draw_medium_of_run([[maybe_unused]] const ThumbSmallRun& run, [[maybe_unused]] const SnappedVertex& v0,
-                        [[maybe_unused]] const SnappedVertex& v1, [[maybe_unused]] const SnappedVertex& v2) {
+// `used`: the assembly calls it by name.
+[[gnu::used]] bool draw_medium_of_run([[maybe_unused]] const ThumbSmallRun& run,
+                                      [[maybe_unused]] const SnappedVertex& v0,
+                                      [[maybe_unused]] const SnappedVertex& v1,
+                                      [[maybe_unused]] const SnappedVertex& v2) {
   if constexpr (kHasMediumTriangles) {
     const Colour* const colours[3] = {&run.scan.colours[0], &run.scan.colours[1], &run.scan.colours[2]};
     return draw_medium<true>({*run.strip, v0, v1, v2, run.scan.area}, colours, 0);

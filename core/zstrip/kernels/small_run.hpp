@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "zstrip/base/processor.hpp"
+#include "zstrip/kernels/mve/small_run.hpp"
 #include "zstrip/kernels/portable/small_run.hpp"
 #include "zstrip/kernels/thumb/small_run.hpp"
 #include "zstrip/kernels/thumb2/listed_run.hpp"
@@ -44,7 +45,9 @@ Run small_run(const StripTarget& target, const SnappedVertex* vertices, const Co
 
 /// Returns the processor's implementation.
 constexpr auto chosen_small_run() {
-  if constexpr (kHasThumb) {
+  if constexpr (kHasMve) {
+    return &draw_small_run_mve;
+  } else if constexpr (kHasThumb) {
     return &draw_small_run_thumb;
   } else if constexpr (kHasVectors) {
     return &draw_small_run_vector;

@@ -12,6 +12,7 @@
 
 #include "zstrip/base/processor.hpp"
 #include "zstrip/base/statistics.hpp"
+#include "zstrip/kernels/mve/textured_run.hpp"
 #include "zstrip/kernels/portable/textured_run.hpp"
 #include "zstrip/kernels/thumb/textured_run.hpp"
 #include "zstrip/kernels/vector/textured_run.hpp"
@@ -52,6 +53,9 @@ template <TexelLight lit, bool statistics, class Value, class Rule>
 void fill_runs(TexturedRun<lit, statistics, Value, Rule, TexturedRunsState>& run, std::uint16_t* depth,
                std::uint16_t* pixel, std::uint32_t count) {
   if constexpr (kHasThumbRuns<lit, statistics, Value, Rule>) {
+    if constexpr (kHasMve) {
+      if (fits_mve(run)) return fill_runs_mve(run, depth, pixel, count);
+    }
     fill_runs_thumb(run, depth, pixel, count);
   } else if constexpr (lit == TexelLight::flat) {
     fill_lit_runs_vector(run, {run.r, run.g, run.b}, depth, pixel, count);
@@ -68,6 +72,9 @@ template <TexelLight lit, bool statistics, class Value, class Rule, class State>
                                             std::uint16_t* pixel, std::int32_t length, const ColourPlanes& light,
                                             Statistics* counters) {
   if constexpr (kHasThumbRuns<lit, statistics, Value, Rule>) {
+    if constexpr (kHasMve) {
+      if (length >= kMinMveRun && fits_mve(run)) return fill_run_mve(run, depth, pixel, length);
+    }
     fill_run_thumb(run, depth, pixel, length);
   } else if constexpr (kHasThumbLitRuns<lit, statistics, Value, Rule>) {
     fill_lit_run_thumb(run, depth, pixel, length);

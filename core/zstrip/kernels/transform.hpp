@@ -12,6 +12,7 @@
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/mve/transform.hpp"
 #include "zstrip/kernels/portable/transform.hpp"
 #include "zstrip/kernels/thumb1/transform.hpp"
 #include "zstrip/kernels/thumb2/transform.hpp"
@@ -26,6 +27,9 @@ namespace zstrip::detail {
                                                              const RasterOrigin& origin, std::uint32_t first,
                                                              std::uint32_t count, SnappedVertex* vertices) {
   const Position* const positions = mesh.positions.data() + first;
+  if constexpr (kHasMve) {
+    if (count >= kMveVertices) return transform_vertices_mve(instance, origin, positions, count, vertices);
+  }
   if constexpr (kHasThumb1) {
     return transform_vertices_thumb1(HalvedTransform(instance, origin), positions, count, vertices);
   } else {

@@ -25,6 +25,7 @@
   field(runs, TexturedRunsState, v_over_w, 44)      \
   field(runs, TexturedRunsState, one_over_w, 48)    \
   field(runs, TexturedRunsState, u_over_w_step, 52) \
+  field(runs, TexturedRunsState, one_over_w_step, 60) \
   field(runs, TexturedRunsState, base_u, 64)        \
   field(runs, TexturedRunsState, base_v, 68)        \
   field(runs, TexturedRunsState, from_u, 72)        \

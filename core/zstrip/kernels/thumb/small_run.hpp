@@ -40,4 +40,9 @@ struct ThumbSmallRun {
 /// Stops at the first triangle that is neither small nor medium, and returns the number of triangles before it.
 std::uint32_t draw_small_run_thumb(ThumbSmallRun& run, const Triangle* triangles, std::uint32_t count);
 
+/// Draws a triangle that is not small, with the area and the colours of the run's scan. Returns false if it is not a
+/// medium one either. The assembly calls it by name.
+bool draw_medium_of_run(const ThumbSmallRun& run, const SnappedVertex& v0, const SnappedVertex& v1,
+                        const SnappedVertex& v2) asm("zstrip_draw_medium_of_run");
+
 }  // namespace zstrip::detail
