@@ -1,8 +1,7 @@
-# A user C module of MicroPython: make USER_C_MODULES=FOLDER, the folder in which this one is. ZSTRIP_EFFECTS: the effects
-# that its scenes have, of zstrip/effects.hpp.
-ZSTRIP_EFFECTS ?= lighting gouraud vertex_colours textures bins overlay skins
-
+# A user C module of MicroPython: make USER_C_MODULES=FOLDER, the folder in which this one is. ZSTRIP_EFFECTS: see flags.mk.
 zstrip_folder := $(USERMOD_DIR)
+zstrip_cxx := $(CXX)
+include $(zstrip_folder)/flags.mk
 # $(wildcard) takes no folders in folders: four levels of them.
 zstrip_levels := $(addprefix $(zstrip_folder)/cpp/,*/*.cpp */*/*.cpp */*/*/*.cpp */*/*/*/*.cpp)
 
@@ -11,7 +10,5 @@ SRC_USERMOD_LIB_CXX += $(zstrip_folder)/pipeline.cpp $(wildcard $(zstrip_levels)
 CFLAGS_USERMOD += -I$(zstrip_folder)/cpp
 
 # After the flags of the port, some of which make constants less exact, and for these files alone.
-zstrip_flags := -std=c++20 -O2 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics \
-  -fno-single-precision-constant -Wno-double-promotion -Wno-float-conversion \
-  -DZSTRIP_EFFECTS='zstrip::Effects{}$(foreach effect,$(ZSTRIP_EFFECTS),|zstrip::effect::$(effect))'
+zstrip_flags += -O2 -fno-single-precision-constant -Wno-double-promotion -Wno-float-conversion
 $(BUILD)/$(notdir $(zstrip_folder))/%.o: CXXFLAGS += $(zstrip_flags)

@@ -1,7 +1,13 @@
-/* The module zstrip of MicroPython: zstrip_player.h as a class (docs/micropython.md). */
+/* The module zstrip of MicroPython: zstrip_player.h as a class (docs/micropython.md). It is compiled as a part of a
+   firmware, and as a native module (.mpy) with MICROPY_ENABLE_DYNRUNTIME. There qstrs are no constants, nothing of the
+   C library is linked, and only functions of MicroPython in mp_fun_table can be called. */
+#if defined(MICROPY_ENABLE_DYNRUNTIME)
+#include "py/dynruntime.h"
+#else
 #include "py/binary.h"
 #include "py/objstr.h"
 #include "py/runtime.h"
+#endif
 #include "zstrip_player.h"
 
 /* pipeline.cpp has them. */
@@ -18,9 +24,17 @@ typedef struct {
 
 static player_obj* self_of(mp_obj_t self) { return MP_OBJ_TO_PTR(self); }
 
-/* Raises ValueError with the player's message if a call has failed. */
+static mp_obj_t str_of(const char* text) {
+  size_t length = 0;
+  while (text[length] != '\0') ++length;
+  return mp_obj_new_str(text, length);
+}
+
+/* Raises ValueError with the player's message. */
+static void fail(zstrip_player* player) { mp_raise_type_arg(&mp_type_ValueError, str_of(zstrip_player_error(player))); }
+
 static void check(player_obj* self, int right) {
-  if (!right) mp_raise_msg_varg(&mp_type_ValueError, MP_ERROR_TEXT("%s"), zstrip_player_error(self->player));
+  if (!right) fail(self->player);
 }
 
 static uint16_t half_of(mp_obj_t number) {
@@ -40,7 +54,7 @@ static mp_obj_t make_player(const mp_obj_type_t* type, size_t count, size_t name
   self->width = self->height = self->pixel_bits = 0;
   self->memory = bytes > 0 ? m_new(byte, (size_t)bytes) : NULL;
   self->player = zstrip_player_in(self->memory, bytes > 0 ? (size_t)bytes : 0, &zstrip_micropython_pipeline);
-  if (self->player == NULL) mp_raise_msg_varg(&mp_type_ValueError, MP_ERROR_TEXT("%s"), zstrip_player_error(NULL));
+  if (self->player == NULL) fail(NULL);
   return MP_OBJ_FROM_PTR(self);
 }
 
@@ -57,7 +71,7 @@ static MP_DEFINE_CONST_FUN_OBJ_2(open_obj, player_open);
 
 /* fit(width, height, format=RGB565, *, rows=0, row_step=1, masked=False, tracks_changes=False) */
 static mp_obj_t player_fit(size_t count, const mp_obj_t* arguments, mp_map_t* named) {
-  static const mp_arg_t kAllowed[] = {
+  const mp_arg_t allowed[] = {
       {MP_QSTR_width, MP_ARG_REQUIRED | MP_ARG_OBJ, {.u_obj = MP_OBJ_NULL}},
       {MP_QSTR_height, MP_ARG_REQUIRED | MP_ARG_OBJ, {.u_obj = MP_OBJ_NULL}},
       {MP_QSTR_format, MP_ARG_INT, {.u_int = ZSTRIP_RGB565}},
@@ -68,8 +82,8 @@ static mp_obj_t player_fit(size_t count, const mp_obj_t* arguments, mp_map_t* na
   };
   static const uint8_t kPixelBits[] = {16, 16, 4, 1, 24, 12, 32};
   player_obj* self = self_of(arguments[0]);
-  mp_arg_val_t values[MP_ARRAY_SIZE(kAllowed)];
-  mp_arg_parse_all(count - 1, arguments + 1, named, MP_ARRAY_SIZE(kAllowed), kAllowed, values);
+  mp_arg_val_t values[MP_ARRAY_SIZE(allowed)];
+  mp_arg_parse_all(count - 1, arguments + 1, named, MP_ARRAY_SIZE(allowed), allowed, values);
   const uint16_t width = half_of(values[0].u_obj), height = half_of(values[1].u_obj);
   const mp_int_t format = values[2].u_int;
   if (format < 0 || format > ZSTRIP_XRGB8888) mp_raise_ValueError(MP_ERROR_TEXT("there is no such format"));
@@ -96,7 +110,15 @@ static zstrip_strip strip_at(player_obj* self, uint16_t y) {
   return strip;
 }
 
-static mp_obj_t view_of(const void* bytes, size_t size) { return mp_obj_new_memoryview('B', size, (void*)bytes); }
+/* A memoryview. */
+static mp_obj_t view_of(const void* bytes, size_t size) {
+#if defined(MICROPY_ENABLE_DYNRUNTIME)
+  mp_obj_t array = mp_obj_new_bytearray_by_ref(size, (void*)bytes);
+  return mp_call_function_n_kw(mp_load_global(MP_QSTR_memoryview), 1, 0, &array);
+#else
+  return mp_obj_new_memoryview('B', size, (void*)bytes);
+#endif
+}
 
 /* strip(y): (left, top, width, height, pixels, mask), of the frame that was begun last. */
 static mp_obj_t player_strip(mp_obj_t object, mp_obj_t y) {
@@ -170,14 +192,18 @@ static mp_obj_t player_clips(mp_obj_t object) {
   zstrip_player* player = self_of(object)->player;
   mp_obj_t list = mp_obj_new_list(0, NULL);
   for (size_t clip = 0; clip < zstrip_player_clips(player); ++clip) {
-    const char* name = zstrip_player_clip_name(player, clip);
-    mp_obj_t items[] = {mp_obj_new_str(name, strlen(name)),
+    mp_obj_t items[] = {str_of(zstrip_player_clip_name(player, clip)),
                         mp_obj_new_int_from_uint(zstrip_player_clip_time(player, clip))};
     mp_obj_list_append(list, mp_obj_new_tuple(MP_ARRAY_SIZE(items), items));
   }
   return list;
 }
 static MP_DEFINE_CONST_FUN_OBJ_1(clips_obj, player_clips);
+
+static bool same(const char* a, const char* b) {
+  for (; *a != '\0' && *a == *b; ++a) ++b;
+  return *a == *b;
+}
 
 /* play_clip(clip, fade=0, loops=True): a number or a name. */
 static mp_obj_t player_play_clip(size_t count, const mp_obj_t* arguments) {
@@ -186,7 +212,7 @@ static mp_obj_t player_play_clip(size_t count, const mp_obj_t* arguments) {
   if (mp_obj_is_str(arguments[1])) {
     const char* name = mp_obj_str_get_str(arguments[1]);
     const size_t clips = zstrip_player_clips(self->player);
-    while (clip < clips && strcmp(zstrip_player_clip_name(self->player, clip), name) != 0) ++clip;
+    while (clip < clips && !same(zstrip_player_clip_name(self->player, clip), name)) ++clip;
   } else {
     clip = half_of(arguments[1]);
   }
@@ -259,51 +285,81 @@ static mp_obj_t player_text(mp_obj_t object, mp_obj_t text) {
 }
 static MP_DEFINE_CONST_FUN_OBJ_2(text_obj, player_text);
 
-static const mp_rom_map_elem_t player_locals[] = {
-    {MP_ROM_QSTR(MP_QSTR_open), MP_ROM_PTR(&open_obj)},
-    {MP_ROM_QSTR(MP_QSTR_fit), MP_ROM_PTR(&fit_obj)},
-    {MP_ROM_QSTR(MP_QSTR_begin), MP_ROM_PTR(&begin_obj)},
-    {MP_ROM_QSTR(MP_QSTR_strip), MP_ROM_PTR(&strip_obj)},
-    {MP_ROM_QSTR(MP_QSTR_draw), MP_ROM_PTR(&draw_obj)},
-    {MP_ROM_QSTR(MP_QSTR_draw_into), MP_ROM_PTR(&draw_into_obj)},
-    {MP_ROM_QSTR(MP_QSTR_changed), MP_ROM_PTR(&changed_obj)},
-    {MP_ROM_QSTR(MP_QSTR_pick), MP_ROM_PTR(&pick_obj)},
-    {MP_ROM_QSTR(MP_QSTR_clips), MP_ROM_PTR(&clips_obj)},
-    {MP_ROM_QSTR(MP_QSTR_play_clip), MP_ROM_PTR(&play_clip_obj)},
-    {MP_ROM_QSTR(MP_QSTR_poll_event), MP_ROM_PTR(&poll_event_obj)},
-    {MP_ROM_QSTR(MP_QSTR_play), MP_ROM_PTR(&play_obj)},
-    {MP_ROM_QSTR(MP_QSTR_hold), MP_ROM_PTR(&hold_obj)},
-    {MP_ROM_QSTR(MP_QSTR_seek), MP_ROM_PTR(&seek_obj)},
-    {MP_ROM_QSTR(MP_QSTR_time), MP_ROM_PTR(&time_obj)},
-    {MP_ROM_QSTR(MP_QSTR_period), MP_ROM_PTR(&period_obj)},
-    {MP_ROM_QSTR(MP_QSTR_orbit), MP_ROM_PTR(&orbit_obj)},
-    {MP_ROM_QSTR(MP_QSTR_zoom), MP_ROM_PTR(&zoom_obj)},
-    {MP_ROM_QSTR(MP_QSTR_background), MP_ROM_PTR(&background_obj)},
-    {MP_ROM_QSTR(MP_QSTR_text), MP_ROM_PTR(&text_obj)},
-};
+/* Tables are filled from these rows: constant ones in a firmware, those of a native module when it is imported. */
+#define PLAYER_METHODS(METHOD)               \
+  METHOD(MP_QSTR_open, open_obj)             \
+  METHOD(MP_QSTR_fit, fit_obj)               \
+  METHOD(MP_QSTR_begin, begin_obj)           \
+  METHOD(MP_QSTR_strip, strip_obj)           \
+  METHOD(MP_QSTR_draw, draw_obj)             \
+  METHOD(MP_QSTR_draw_into, draw_into_obj)   \
+  METHOD(MP_QSTR_changed, changed_obj)       \
+  METHOD(MP_QSTR_pick, pick_obj)             \
+  METHOD(MP_QSTR_clips, clips_obj)           \
+  METHOD(MP_QSTR_play_clip, play_clip_obj)   \
+  METHOD(MP_QSTR_poll_event, poll_event_obj) \
+  METHOD(MP_QSTR_play, play_obj)             \
+  METHOD(MP_QSTR_hold, hold_obj)             \
+  METHOD(MP_QSTR_seek, seek_obj)             \
+  METHOD(MP_QSTR_time, time_obj)             \
+  METHOD(MP_QSTR_period, period_obj)         \
+  METHOD(MP_QSTR_orbit, orbit_obj)           \
+  METHOD(MP_QSTR_zoom, zoom_obj)             \
+  METHOD(MP_QSTR_background, background_obj) \
+  METHOD(MP_QSTR_text, text_obj)
+
+#define MODULE_NUMBERS(NUMBER)                          \
+  NUMBER(MP_QSTR_RGB565, ZSTRIP_RGB565)                 \
+  NUMBER(MP_QSTR_RGB565_SWAPPED, ZSTRIP_RGB565_SWAPPED) \
+  NUMBER(MP_QSTR_GRAY4, ZSTRIP_GRAY4)                   \
+  NUMBER(MP_QSTR_MONO, ZSTRIP_MONO)                     \
+  NUMBER(MP_QSTR_RGB666, ZSTRIP_RGB666)                 \
+  NUMBER(MP_QSTR_RGB444, ZSTRIP_RGB444)                 \
+  NUMBER(MP_QSTR_XRGB8888, ZSTRIP_XRGB8888)             \
+  NUMBER(MP_QSTR_BACKGROUND, ZSTRIP_BACKGROUND)         \
+  NUMBER(MP_QSTR_INSTANCE, ZSTRIP_INSTANCE)             \
+  NUMBER(MP_QSTR_OUTLINE, ZSTRIP_OUTLINE)               \
+  NUMBER(MP_QSTR_QUADRIC, ZSTRIP_QUADRIC)               \
+  NUMBER(MP_QSTR_LINE, ZSTRIP_LINE)                     \
+  NUMBER(MP_QSTR_SPRITE, ZSTRIP_SPRITE)                 \
+  NUMBER(MP_QSTR_LABEL, ZSTRIP_LABEL)
+
+#if defined(MICROPY_ENABLE_DYNRUNTIME)
+
+/* Not static, because only the table of global offsets can address writable data. */
+#define COUNT(name, object) +1
+mp_map_elem_t zstrip_player_locals[PLAYER_METHODS(COUNT)];
+static MP_DEFINE_CONST_DICT(player_locals_dict, zstrip_player_locals);
+mp_obj_full_type_t zstrip_player_type;
+
+mp_obj_t mpy_init(mp_obj_fun_bc_t* self, size_t count, size_t named, mp_obj_t* arguments) {
+  MP_DYNRUNTIME_INIT_ENTRY
+  mp_map_elem_t* method = zstrip_player_locals;
+#define STORE_METHOD(name, object) *method++ = (mp_map_elem_t){MP_OBJ_NEW_QSTR(name), MP_OBJ_FROM_PTR(&object)};
+  PLAYER_METHODS(STORE_METHOD)
+  zstrip_player_type.base.type = &mp_type_type;
+  zstrip_player_type.name = MP_QSTR_Player;
+  MP_OBJ_TYPE_SET_SLOT(&zstrip_player_type, make_new, make_player, 0);
+  MP_OBJ_TYPE_SET_SLOT(&zstrip_player_type, locals_dict, (void*)&player_locals_dict, 1);
+  mp_store_global(MP_QSTR_Player, MP_OBJ_FROM_PTR(&zstrip_player_type));
+#define STORE_NUMBER(name, number) mp_store_global(name, MP_OBJ_NEW_SMALL_INT(number));
+  MODULE_NUMBERS(STORE_NUMBER)
+  MP_DYNRUNTIME_INIT_EXIT
+}
+
+#else
+
+#define METHOD_ROW(name, object) {MP_ROM_QSTR(name), MP_ROM_PTR(&object)},
+static const mp_rom_map_elem_t player_locals[] = {PLAYER_METHODS(METHOD_ROW)};
 static MP_DEFINE_CONST_DICT(player_locals_dict, player_locals);
 
 static MP_DEFINE_CONST_OBJ_TYPE(player_type, MP_QSTR_Player, MP_TYPE_FLAG_NONE, make_new, make_player, locals_dict,
                                 &player_locals_dict);
 
-static const mp_rom_map_elem_t module_globals[] = {
-    {MP_ROM_QSTR(MP_QSTR___name__), MP_ROM_QSTR(MP_QSTR_zstrip)},
-    {MP_ROM_QSTR(MP_QSTR_Player), MP_ROM_PTR(&player_type)},
-    {MP_ROM_QSTR(MP_QSTR_RGB565), MP_ROM_INT(ZSTRIP_RGB565)},
-    {MP_ROM_QSTR(MP_QSTR_RGB565_SWAPPED), MP_ROM_INT(ZSTRIP_RGB565_SWAPPED)},
-    {MP_ROM_QSTR(MP_QSTR_GRAY4), MP_ROM_INT(ZSTRIP_GRAY4)},
-    {MP_ROM_QSTR(MP_QSTR_MONO), MP_ROM_INT(ZSTRIP_MONO)},
-    {MP_ROM_QSTR(MP_QSTR_RGB666), MP_ROM_INT(ZSTRIP_RGB666)},
-    {MP_ROM_QSTR(MP_QSTR_RGB444), MP_ROM_INT(ZSTRIP_RGB444)},
-    {MP_ROM_QSTR(MP_QSTR_XRGB8888), MP_ROM_INT(ZSTRIP_XRGB8888)},
-    {MP_ROM_QSTR(MP_QSTR_BACKGROUND), MP_ROM_INT(ZSTRIP_BACKGROUND)},
-    {MP_ROM_QSTR(MP_QSTR_INSTANCE), MP_ROM_INT(ZSTRIP_INSTANCE)},
-    {MP_ROM_QSTR(MP_QSTR_OUTLINE), MP_ROM_INT(ZSTRIP_OUTLINE)},
-    {MP_ROM_QSTR(MP_QSTR_QUADRIC), MP_ROM_INT(ZSTRIP_QUADRIC)},
-    {MP_ROM_QSTR(MP_QSTR_LINE), MP_ROM_INT(ZSTRIP_LINE)},
-    {MP_ROM_QSTR(MP_QSTR_SPRITE), MP_ROM_INT(ZSTRIP_SPRITE)},
-    {MP_ROM_QSTR(MP_QSTR_LABEL), MP_ROM_INT(ZSTRIP_LABEL)},
-};
+#define NUMBER_ROW(name, number) {MP_ROM_QSTR(name), MP_ROM_INT(number)},
+static const mp_rom_map_elem_t module_globals[] = {{MP_ROM_QSTR(MP_QSTR___name__), MP_ROM_QSTR(MP_QSTR_zstrip)},
+                                                   {MP_ROM_QSTR(MP_QSTR_Player), MP_ROM_PTR(&player_type)},
+                                                   MODULE_NUMBERS(NUMBER_ROW)};
 static MP_DEFINE_CONST_DICT(module_globals_dict, module_globals);
 
 const mp_obj_module_t zstrip_user_cmodule = {
@@ -312,3 +368,5 @@ const mp_obj_module_t zstrip_user_cmodule = {
 };
 
 MP_REGISTER_MODULE(MP_QSTR_zstrip, zstrip_user_cmodule);
+
+#endif

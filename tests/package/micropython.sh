@@ -1,15 +1,40 @@
 #!/usr/bin/env bash
-# micropython.sh ROOT SCRATCH ZSTRIP [MICROPYTHON]: MicroPython's QEMU port is built with the module, for a Cortex-M3, outside
-# of its folder, and runs micropython.py: frames of baked scenes are those of `zstrip render`. Without the folder the test
-# is skipped.
+# micropython.sh ROOT SCRATCH ZSTRIP BOARD [MICROPYTHON]: MicroPython's QEMU port is built with the module for a board, outside
+# of its folder, and the native module for the board's processor. micropython.py runs with each of them: frames of baked
+# scenes are those of `zstrip render`. Without the folder the test is skipped.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 zstrip=$3
-[ -n "${4-}" ] || { echo "skipped: no MicroPython is given: -DZSTRIP_MICROPYTHON=FOLDER of CMake"; exit 77; }
-for tool in make python3 arm-none-eabi-g++ qemu-system-arm; do
+board=$4
+[ -n "${5-}" ] || { echo "skipped: no MicroPython is given: -DZSTRIP_MICROPYTHON=FOLDER of CMake"; exit 77; }
+compiler=arm-none-eabi- qemu=(qemu-system-arm -semihosting) step=$((0x100000))
+options=(MICROPY_HEAP_SIZE=409600)  # the native module, a player and a picture
+# Where scenes and the native module are, one behind the other: memory that nothing else uses.
+case $board in
+  MPS2_AN385) machine=mps2-an385 architecture=armv7m address=$((0x21800000)) ;;
+  MPS2_AN500) machine=mps2-an500 architecture=armv7emsp address=$((0x60100000)) ;;
+  MICROBIT) # in all of its RAM, and with the loader of native code, which the port leaves out here
+    machine=microbit architecture=armv6m address=$((0x80000)) step=$((0x18000))
+    qemu+=(-global nrf51-soc.flash-size=1048576 -global nrf51-soc.sram-size=262144)
+    options=(MICROPY_HEAP_SIZE=225280 CFLAGS_EXTRA=-DMICROPY_PERSISTENT_CODE_LOAD_NATIVE=1)
+    ;;
+  VIRT_RV32)
+    machine=virt architecture=rv32imc address=$((0x81000000))
+    compiler=riscv64-unknown-elf- qemu=(qemu-system-riscv32 -bios none)
+    ;;
+  *) echo "there is no board $board"; exit 2 ;;
+esac
+for tool in make python3 arm-none-eabi-g++ "${compiler}g++" "${qemu[0]}"; do
   command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
-micropython=$(cd "$4" && pwd -P)
+echo '#include <string.h>' | "${compiler}gcc" $("${compiler}gcc" -print-file-name=picolibc.specs | sed -n 's,^/,--specs=/,p') \
+  -E - >/dev/null 2>&1 || { echo "skipped: ${compiler}gcc has no C library"; exit 77; }
+# The first one with the library that MicroPython's linker needs.
+python=
+for candidate in python3 /usr/bin/python3; do
+  "$candidate" -c 'import elftools' 2>/dev/null && { python=$candidate; break; }
+done
+micropython=$(cd "$5" && pwd -P)
 mkdir -p "$2"
 cd "$2"
 failed=0
@@ -18,23 +43,24 @@ complain() {
   failed=1
 }
 bash "$root/cmake/zstrip_package_micropython.sh" "$PWD/modules"
-make -C "$micropython/ports/qemu" -j2 BOARD=MPS2_AN385 BUILD="$PWD/build" USER_C_MODULES="$PWD/modules" FROZEN_MANIFEST= \
-  >build.log 2>&1 || { tail -n 20 build.log; echo "MicroPython is not built with the module"; exit 1; }
+make -C "$micropython/ports/qemu" -j2 BOARD="$board" BUILD="$PWD/build" USER_C_MODULES="$PWD/modules" FROZEN_MANIFEST= \
+  "${options[@]}" >build.log 2>&1 || { tail -n 20 build.log; echo "MicroPython is not built with the module"; exit 1; }
 
-# In the memory that nothing else uses, one behind the other.
+# put FILE: loads it when the machine starts; sets `place` to its address and size.
+loaded=()
+put() {
+  loaded+=(-device "loader,file=$1,addr=$address,force-raw=on")
+  place="($address, $(stat -c %s "$1"))"
+  address=$((address + step))
+}
 view=(--size 160x120 --quiet)
-address=$((0x21800000)) loaded=() scenes=
+scenes=
 for scene in teapot room "$root/host-sim/scenes/figure/figure.gltf"; do
   name=$(basename "${scene%.*}")
   "$zstrip" bake "$scene" -o "$name.zsc" "${view[@]}" --turntable
-  loaded+=(-device "loader,file=$name.zsc,addr=$address,force-raw=on")
-  scenes+="'$name': ($address, $(stat -c %s "$name.zsc")), "
-  address=$((address + 0x100000))
+  put "$name.zsc"
+  scenes+="'$name': $place, "
 done
-# The raw mode of the console: Control-A, a program, Control-D.
-{ printf '\001'; echo "SCENES = {$scenes}"; cat "$root/tests/package/micropython.py"; printf '\004'; } >typed
-timeout 60 qemu-system-arm -machine mps2-an385 -display none -monitor none -serial stdio -semihosting "${loaded[@]}" \
-  -kernel build/firmware.elf < <(sleep 1; cat typed; sleep 60) 2>said.errors | tr -d '\r\004' >said || true
 
 # expect NAME FRAMES WORDS...
 expect() {
@@ -63,7 +89,28 @@ print("picked", ({"background": 0, "instance": 1}[at["shown"]], at["index"], at[
   echo "turned back True"
   echo "end"
 } >expected
-sed -n 's/^.*>OK//;/^\(frame\|clips\|picked\|strip\|changed\|turned\|end\|wrong\|no error\|Traceback\| \)/p;/Error/p' said >shown
-diff expected shown || complain "what MicroPython shows (>) is not what is expected (<)"
-arm-none-eabi-size build/firmware.elf | awk 'NR == 2 { print "the firmware: " $1 + $2 " bytes of flash" }'
+
+# run NAME NATIVE: what micropython.py prints, in NAME.said.
+run() {
+  # The raw mode of the console: Control-A, a program, Control-D.
+  { printf '\001'; echo "SCENES = {$scenes}"; echo "NATIVE = $2"; cat "$root/tests/package/micropython.py"; printf '\004'; } >typed
+  timeout 60 "${qemu[@]}" -machine "$machine" -display none -monitor none -serial stdio "${loaded[@]}" \
+    -kernel build/firmware.elf < <(sleep 1; cat typed; sleep 60) 2>"$1.errors" | tr -d '\r\004' >"$1.said" || true
+  sed -n 's/^.*>OK//;/^\(frame\|clips\|picked\|strip\|changed\|turned\|end\|wrong\|no error\|Traceback\| \)/p;/Error/p' \
+    "$1.said" >"$1.shown"
+  diff expected "$1.shown" || complain "what MicroPython shows with the $1 module (>) is not what is expected (<)"
+}
+run user None
+"${compiler}size" build/firmware.elf | awk 'NR == 2 { print "the firmware with the user C module: " $1 + $2 " bytes of flash" }'
+
+if [ -z "$python" ]; then
+  echo "not tried, because python3 has no elftools (Debian: python3-pyelftools): the native module"
+else
+  make -C modules/zstrip-micropython -j2 ARCH="$architecture" MPY_DIR="$micropython" BUILD="$PWD/native" PYTHON="$python" \
+    >native.log 2>&1 || { tail -n 20 native.log; echo "the native module is not built"; exit 1; }
+  put modules/zstrip-micropython/zstrip.mpy
+  run native "$place"
+  echo "the native module for $architecture: $(stat -c %s modules/zstrip-micropython/zstrip.mpy) bytes;" \
+    "$(sed -n 's/^.*\(RAM of the module .*\)/\1/p' native.said) bytes"
+fi
 exit "$failed"

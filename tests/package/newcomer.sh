@@ -126,7 +126,7 @@ micropython() {
   archive=$(file 'zstrip-micropython-*.tar.gz') || return 0
   mkdir micropython
   tar -C micropython --strip-components 1 -xzf "$archive"
-  for name in micropython.mk micropython.cmake zstrip_module.c pipeline.cpp cpp/zstrip_player.h LICENSE; do
+  for name in Makefile flags.mk micropython.mk micropython.cmake zstrip_module.c pipeline.cpp cpp/zstrip_player.h LICENSE; do
     [ -s "micropython/$name" ] || complain "the module for MicroPython has no $name"
   done
   echo "not tried, because no release of MicroPython is in it: the module for MicroPython"
