@@ -178,6 +178,52 @@ TEST(Edges, DepthBehindAnEdgeThatIsSeenEndOnLeft32Bits) {
   EXPECT_EQ(pixels, own);
 }
 
+/// Draws random edges into a picture, and into its strips: both have the same pixels, and visit the same number of
+/// them.
+template <class Int>
+void expect_only_pixels_in_strips(std::int32_t reach) {
+  constexpr Rect kPicture{-32, -24, 32, 24};
+  constexpr std::size_t kPixels = 64 * 48;
+  std::mt19937 random(17);
+  std::vector<std::uint16_t> own(kPixels), whole(kPixels), parts(kPixels);
+  const std::vector<std::uint16_t> depth(kPixels, 0x8000);
+  for (std::uint16_t& pixel : own) pixel = static_cast<std::uint16_t>(random());
+  std::uint32_t visited = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto place = [&] {
+      const auto range = static_cast<std::uint32_t>(i % 2 == 0 ? reach : 900);
+      return static_cast<std::int32_t>(random() % (2 * range)) - static_cast<std::int32_t>(range);
+    };
+    const auto corner = [&] { return detail::WidePosition{place(), place(), 0x80000000}; };
+    const detail::SeenEdge edge{.a = corner(),
+                                .b = corner(),
+                                .third = {corner(), corner()},
+                                .faces = 1,
+                                .crease = false,
+                                .narrow = sizeof(Int) == 4};
+    if (edge.a.x == edge.b.x && edge.a.y == edge.b.y) continue;
+    whole = parts = own;
+    const auto draw = [&](const Rect& area, std::uint16_t* pixels) {
+      return detail::EdgeBlend<Int>::draw({area, pixels, kPicture, own.data(), kPicture, depth.data()}, edge);
+    };
+    const std::uint32_t all = draw(kPicture, whole.data());
+    std::uint32_t sum = 0;
+    const int rows = i % 3 == 0 ? 1 : i % 3 == 1 ? 3 : 16;
+    for (int top = 0; top < 48; top += rows) {
+      sum += draw({-32, top - 24, 32, top + rows - 24}, parts.data() + top * 64);
+    }
+    ASSERT_EQ(sum, all) << i;
+    ASSERT_EQ(parts, whole) << i;
+    visited += all;
+  }
+  EXPECT_GT(visited, 10000U);
+}
+
+TEST(Edges, OnlyPixelsInTheStripAreVisited) {
+  expect_only_pixels_in_strips<std::int32_t>(1 << 14);
+  expect_only_pixels_in_strips<std::int64_t>(1 << 20);
+}
+
 TEST(Edges, EndsMayBeAnywhere) {
   // Random triangles and edges that need not be theirs, near and far, in and out of the picture: nothing may be read or
   // written beyond what is lent.

@@ -72,7 +72,7 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     1050 * 8,  // surveyed_edges: they take about 300; the rest corrects the estimates of six gallery scenes
     190 * 8,   // projected_edges
     500 * 8,   // blended_edges
-    75 * 8,    // pixels_of_edges
+    150 * 8,   // pixels_of_edges: they take 130, the start of a walk included
 };
 static_assert(std::size(kCostOfWork) == kWorkKinds);
 

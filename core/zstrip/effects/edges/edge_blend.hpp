@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "zstrip/effects/edges/edges.hpp"
@@ -27,34 +28,36 @@ struct EdgeTarget {
   const std::uint16_t* own;  ///< pixels of `known` before blending, without gaps
   Rect depth_area;           ///< the part of `known` with depths
   const std::uint16_t* depth;
+};
 
-  /// Returns the code of a pixel; 0 if nothing was drawn there.
-  std::uint32_t code(std::int32_t x, std::int32_t y) const {
-    if (x < depth_area.left || x >= depth_area.right || y < depth_area.top || y >= depth_area.bottom) return 0;
-    return depth[(y - depth_area.top) * depth_area.width() + (x - depth_area.left)];
+/// The codes that belong to an edge's surface.
+struct EdgeSurface {
+  std::int32_t tolerance;
+  bool crease;  ///< both sides of the edge belong to the surface
+
+  bool has(std::int32_t code, std::int32_t edge) const {
+    const std::int32_t off = code - edge;
+    return off <= tolerance && off >= -tolerance;
   }
+};
 
-  /// The codes that belong to an edge's surface.
-  struct Surface {
-    std::int32_t tolerance;
-    bool crease;  ///< both sides of the edge belong to the surface
-
-    bool has(std::uint32_t code, std::int32_t edge) const {
-      const std::int32_t off = static_cast<std::int32_t>(code) - edge;
-      return off <= tolerance && off >= -tolerance;
-    }
+/// A rectangle without gaps, by places along and across an edge instead of x and y. One code for both directions halves
+/// the flash of blending.
+struct EdgeRect {
+  struct Range {
+    std::int32_t first, end;
+    constexpr bool has(std::int32_t place) const { return place >= first && place < end; }
   };
+  Range along, across;
+  std::int32_t step_along, step_across;
 
-  /// Blends pixel (x, y) with its neighbour (to_x, to_y), if the edge is visible there. `edge` is its code there.
-  void blend(std::int32_t x, std::int32_t y, std::int32_t to_x, std::int32_t to_y, std::uint32_t weight,
-             std::int32_t edge, const Surface& surface) const {
-    if (to_x < known.left || to_x >= known.right || to_y < known.top || to_y >= known.bottom) return;
-    const auto [farther, nearer] = std::minmax({code(x, y), code(to_x, to_y)});
-    if (!surface.has(nearer, edge)) return;
-    // A face of a crease may be narrower than a pixel; the neighbour then shows another surface.
-    if (surface.crease && (farther == 0 || !surface.has(farther, edge))) return;
-    std::uint16_t& pixel = pixels[(y - area.top) * area.width() + (x - area.left)];
-    pixel = blended(pixel, own[(to_y - known.top) * known.width() + (to_x - known.left)], weight);
+  constexpr EdgeRect(const Rect& rect, bool columns)
+      : along{columns ? rect.left : rect.top, columns ? rect.right : rect.bottom},
+        across{columns ? rect.top : rect.left, columns ? rect.bottom : rect.right},
+        step_along(columns ? 1 : rect.width()),
+        step_across(columns ? rect.width() : 1) {}
+  constexpr std::int32_t index(std::int32_t place_along, std::int32_t place_across) const {
+    return (place_along - along.first) * step_along + (place_across - across.first) * step_across;
   }
 };
 
@@ -64,14 +67,17 @@ struct EdgeTarget {
 template <class Int>
 class EdgeBlend {
  public:
-  static void draw(const EdgeTarget& target, const SeenEdge& edge) {
+  /// Returns the number of pixels that the edge crosses in the strip.
+  static std::uint32_t draw(const EdgeTarget& target, const SeenEdge& edge) {
     const Int dx = Int{edge.b.x} - edge.a.x, dy = Int{edge.b.y} - edge.a.y;
-    const EdgeTarget::Surface surface{static_cast<std::int32_t>(tolerance_of<Int>(edge)), edge.crease};
-    if (std::max(dx, -dx) >= std::max(dy, -dy)) {
-      in_order<true>(target, {edge.a.x, edge.a.y, edge.a.depth}, {edge.b.x, edge.b.y, edge.b.depth}, surface);
-    } else {
-      in_order<false>(target, {edge.a.y, edge.a.x, edge.a.depth}, {edge.b.y, edge.b.x, edge.b.depth}, surface);
-    }
+    const bool columns = std::max(dx, -dx) >= std::max(dy, -dy);
+    const auto end = [columns](const WidePosition& p) {
+      return columns ? End{p.x, p.y, p.depth} : End{p.y, p.x, p.depth};
+    };
+    const End a = end(edge.a), b = end(edge.b);
+    const EdgeBlend blend(target, {static_cast<std::int32_t>(tolerance_of<Int>(edge)), edge.crease}, columns);
+    // From the lower end, so that both directions give the same pixels.
+    return a.along <= b.along ? blend.walk(a, b) : blend.walk(b, a);
   }
 
   /// Returns false if no pixel of the strip is blended.
@@ -91,62 +97,98 @@ class EdgeBlend {
   /// of depth. The place stays between the ends, within 2^30, or within 2^57 for wide edges.
   static constexpr int kBits = sizeof(Int) == 4 ? 16 : 32;
   static constexpr int kDepthBits = sizeof(Int) == 4 ? 6 : 30;
+  static constexpr int kPixelBits = kBits + 4;  ///< fraction bits of a pixel across the edge
+
+  using Bits = std::make_unsigned_t<Int>;
 
   struct End {
     std::int32_t along, across;
     std::uint32_t depth;
   };
 
-  /// Walks from the lower end, so that both directions give the same pixels.
-  template <bool columns>
-  static void in_order(const EdgeTarget& target, const End& a, const End& b, const EdgeTarget::Surface& surface) {
-    if (a.along <= b.along) {
-      walk<columns>(target, a, b, surface);
-    } else {
-      walk<columns>(target, b, a, surface);
-    }
+  const EdgeTarget& target_;
+  const EdgeSurface surface_;
+  const EdgeRect area_, known_, depth_;
+
+  EdgeBlend(const EdgeTarget& target, const EdgeSurface& surface, bool columns)
+      : target_(target),
+        surface_(surface),
+        area_(target.area, columns),
+        known_(target.known, columns),
+        depth_(target.depth_area, columns) {}
+
+  /// Returns the code of a pixel; 0 if nothing was drawn there.
+  std::int32_t code(std::int32_t along, std::int32_t across) const {
+    return depth_.along.has(along) && depth_.across.has(across) ? target_.depth[depth_.index(along, across)] : 0;
+  }
+
+  /// Blends a pixel with its neighbour `other`, if the edge is visible there. `edge` is its code there.
+  void blend(std::int32_t along, std::int32_t across, std::int32_t other, std::uint32_t weight,
+             std::int32_t edge) const {
+    if (!known_.across.has(other)) return;
+    const std::int32_t codes[] = {code(along, across), code(along, other)};
+    const auto [farther, nearer] = std::minmax(codes[0], codes[1]);
+    if (!surface_.has(nearer, edge)) return;
+    // A face of a crease may be narrower than a pixel; the neighbour then shows another surface.
+    if (surface_.crease && (farther == 0 || !surface_.has(farther, edge))) return;
+    std::uint16_t& pixel = target_.pixels[area_.index(along, across)];
+    pixel = blended(pixel, target_.own[known_.index(along, other)], weight);
   }
 
   static constexpr Int quotient(Int numerator, Int length) {
     return (numerator + (numerator < 0 ? -length / 2 : length / 2)) / length;
   }
 
-  template <bool columns>
-  static void walk(const EdgeTarget& target, const End& low, const End& high, const EdgeTarget::Surface& surface) {
-    const Rect& area = target.area;
+  /// Returns the number of steps until the place `across`, which grows by 16 `slope` a step, is in the strip; the
+  /// greatest number if it never is.
+  Bits steps_until_inside(Int across, Int slope) const {
+    const Int pixel = across >> kPixelBits;
+    if (area_.across.has(static_cast<std::int32_t>(pixel))) return 0;
+    const bool below = pixel < area_.across.first;
+    if (slope == 0 || below != (slope > 0)) return std::numeric_limits<Bits>::max();
+    // Differences are in the range of Bits: a view reaches 2^11 pixels from its middle, a narrow edge 2^10.
+    const auto border = [](std::int32_t place) { return static_cast<Bits>(Int{place}) << kPixelBits; };
+    const Bits off = below ? border(area_.across.first) - static_cast<Bits>(across)
+                           : static_cast<Bits>(across) - border(area_.across.end) + 1;
+    const Bits step = 16 * static_cast<Bits>(below ? slope : -slope);
+    return (off + step - 1) / step;
+  }
+
+  std::uint32_t walk(const End& low, const End& high) const {
     // Only pixels whose middles lie between the ends: of two edges that meet, only one contains the middle of the pixel
     // in which they meet.
-    const std::int32_t first = std::max(low.along >> 4, columns ? area.left : area.top);
-    const std::int32_t end = std::min(high.along >> 4, columns ? area.right : area.bottom);
-    if (first >= end) return;
-    const std::int32_t least = columns ? area.top : area.left, beyond = columns ? area.bottom : area.right;
+    std::int32_t first = std::max(low.along >> 4, area_.along.first);
+    const std::int32_t end = std::min(high.along >> 4, area_.along.end);
+    if (first >= end) return 0;
     const Int length = Int{high.along} - low.along;
-    const Int start = Int{first} * 16 + kPixelCentre - low.along;
     const Int rise = Int{high.across} - low.across;
     const Int slope = quotient(rise << kBits, length);
-    Int across = ((Int{low.across} << kBits) + slope * start) - (Int{kCentreBias} << kBits);
+    const auto start = [&] { return Int{first} * 16 + kPixelCentre - low.along; };
+    const auto across_at_start = [&] {
+      return ((Int{low.across} << kBits) + slope * start()) - (Int{kCentreBias} << kBits);
+    };
+    const Bits skipped = steps_until_inside(across_at_start(), slope);
+    if (skipped >= static_cast<Bits>(end - first)) return 0;
+    first += static_cast<std::int32_t>(skipped);
+    Int across = across_at_start();
     const Int fall = static_cast<Int>(high.depth >> 8) - static_cast<Int>(low.depth >> 8);
     const Int depth_slope = quotient(fall << kDepthBits, length);
-    Int depth = depth_slope * start;
+    Int depth = depth_slope * start();
     // After the last middle the depth may exceed an Int.
     const auto step = [](Int value, Int by) {
-      using Bits = std::make_unsigned_t<Int>;
       return static_cast<Int>(static_cast<Bits>(value) + 16 * static_cast<Bits>(by));
     };
-    for (std::int32_t along = first; along < end;
-         ++along, across = step(across, slope), depth = step(depth, depth_slope)) {
+    std::int32_t along = first;
+    for (; along < end; ++along, across = step(across, slope), depth = step(depth, depth_slope)) {
       const auto place = static_cast<std::int32_t>(across >> (kBits - 2));  // 1/64 pixels
       const std::int32_t pixel = place >> 6, part = place & 63;
-      if (pixel < least || pixel >= beyond) continue;
+      if (!area_.across.has(pixel)) break;
       const auto weight = static_cast<std::uint32_t>(part < 32 ? part + 1 : 64 - part) / 2;
       const std::int32_t other = part < 32 ? pixel - 1 : pixel + 1;
-      const auto code = static_cast<std::int32_t>(((depth >> kDepthBits) + static_cast<Int>(low.depth >> 8)) >> 8);
-      if constexpr (columns) {
-        target.blend(along, pixel, along, other, weight, code, surface);
-      } else {
-        target.blend(pixel, along, other, along, weight, code, surface);
-      }
+      const auto edge = static_cast<std::int32_t>(((depth >> kDepthBits) + static_cast<Int>(low.depth >> 8)) >> 8);
+      blend(along, pixel, other, weight, edge);
     }
+    return static_cast<std::uint32_t>(along - first);
   }
 };
 

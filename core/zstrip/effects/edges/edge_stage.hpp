@@ -217,13 +217,13 @@ struct Stage : NoStage {
     });
   }
 
-  static void count_blended(const Rect& area, const SeenEdge& seen, auto& work) {
-    const auto within = [](std::int32_t p, std::int32_t q, std::int32_t first, std::int32_t end) {
-      return std::max(std::min(std::max(p, q) >> 4, end) - std::max(std::min(p, q) >> 4, first), std::int32_t{0});
-    };
-    ++work[WorkKind::blended_edges];
-    work[WorkKind::pixels_of_edges] += static_cast<std::uint32_t>(
-        std::max(within(seen.a.x, seen.b.x, area.left, area.right), within(seen.a.y, seen.b.y, area.top, area.bottom)));
+  /// Returns the number of pixels that the edge crosses in the strip.
+  template <bool clips>
+  static std::uint32_t blend_seen(const SeenEdge& seen, const EdgeTarget& target) {
+    if constexpr (clips) {
+      if (!seen.narrow) return EdgeBlend<std::int64_t>::draw(target, seen);
+    }
+    return EdgeBlend<std::int32_t>::draw(target, seen);
   }
 
   template <Effects effects>
@@ -236,11 +236,11 @@ struct Stage : NoStage {
     if (narrow && !EdgeBlend<std::int32_t>::crosses(target, a, b)) return;
     SeenEdge seen;
     if (!see(projection, edge, a, b, seen)) return;
-    if constexpr (effects.has(effect::statistics)) count_blended(target.area, seen, counters->work);
-    if constexpr (Projection::kClips) {
-      if (!seen.narrow) return EdgeBlend<std::int64_t>::draw(target, seen);
+    const std::uint32_t pixels = blend_seen<Projection::kClips>(seen, target);
+    if constexpr (effects.has(effect::statistics)) {
+      ++counters->work[WorkKind::blended_edges];
+      counters->work[WorkKind::pixels_of_edges] += pixels;
     }
-    EdgeBlend<std::int32_t>::draw(target, seen);
   }
 };
 
