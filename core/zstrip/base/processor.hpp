@@ -33,6 +33,11 @@
 #define ZSTRIP_HAS_THUMB1 0
 #endif
 
+// Set to 1 for a program that leaves the interpolators of an RP2040 to zstrip: Thumb-1 then fetches texels with them.
+#if !defined(ZSTRIP_HAS_INTERPOLATORS)
+#define ZSTRIP_HAS_INTERPOLATORS 0
+#endif
+
 // Prevents inlining on processors that call a function for 64-bit products: each copy would take half a kilobyte.
 #if ZSTRIP_HAS_THUMB1
 #define ZSTRIP_CALLED_ON_THUMB1 [[gnu::noinline]]

@@ -4,11 +4,62 @@
 
 #include "zstrip/base/division.hpp"
 #include "zstrip/kernels/thumb/run_layout.hpp"
+#include "zstrip/kernels/thumb1/interpolator.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
+
+#if ZSTRIP_HAS_INTERPOLATORS
+
+// A pixel: depth test, texel, steps. r1 and r4 are temporary; r2 depth; r3 and r6 the addresses of `cell` and `to`; r5
+// the step of depth; r7 the interpolator: reading it gives the address of a texel, and steps u and v.
+#define ZSTRIP_TEXEL                      \
+  ".macro zstrip_texel cell:req to:req\n" \
+  "  ldr   r1, [r7, #.Linterp.pop]\n"     \
+  "  ldrh  r0, [r3, \\cell]\n"            \
+  "  lsrs  r4, r2, #16\n"                 \
+  "  cmp   r0, r4\n"                      \
+  "  bhs   .Ltexel_behind\\@\n"           \
+  "  strh  r4, [r3, \\cell]\n"            \
+  "  ldrh  r1, [r1]\n"                    \
+  "  strh  r1, [r6, \\to]\n"              \
+  ".Ltexel_behind\\@:\n"                  \
+  "  adds  r2, r2, r5\n"                  \
+  ".endm\n" ZSTRIP_INTERPOLATOR
+
+// lr is the end of the cells.
+[[gnu::naked]] void fill_run_thumb(WordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_THUMB1_PUSH ZSTRIP_TEXEL R"(
+    lsls  r3, r3, #1                  @ cells of 2 bytes
+    adds  r3, r3, r1
+    mov   lr, r3                      @ behind the last cell
+    push  {r0}
+    mov   r12, r1
+    mov   r8, r2
+    zstrip_interpolated_texture
+    ldm   r0!, {r1, r2, r3, r4}       @ u, v, their steps
+    stm   r7!, {r1, r2, r3, r4}
+    subs  r7, r7, #.Linterp.base2 - .Linterp.accum0
+    ldm   r0!, {r2, r5}               @ depth and its step
+    mov   r3, r12
+    mov   r6, r8
+  .Lrun_texel:
+    zstrip_texel #0*.Lcell, #0*.Lcell
+    adds  r3, r3, #.Lcell
+    adds  r6, r6, #.Lcell
+    cmp   r3, lr
+    bne   .Lrun_texel
+    pop   {r0}
+    str   r2, [r0, #.Lrun.z]
+    .purgem zstrip_texel
+    .purgem zstrip_interpolator
+    .purgem zstrip_interpolated_texture
+  )" ZSTRIP_THUMB1_POP);
+}
+
+#else
 
 // A pixel: depth test, texel, steps. `cell` and `to` are the addresses of its depth and its colour. r2 depth; r4
 // texels; r5 and r6 shifts of u and v; r7 mask; r8 u and r9 its step; r10 v and r11 its step; r12 the step of depth. lr
@@ -68,6 +119,41 @@ namespace zstrip::detail {
   )" ZSTRIP_THUMB1_POP);
 }
 
+#endif
+
+// The parts of whole runs that depend on the interpolator: before the first run, with the state in r0; before each run,
+// with u in r2, its step in r1, v in r3, its step in r0, and the address of the state's u_over_w_step in r7; after
+// eight pixels; and at the end of the text.
+#if ZSTRIP_HAS_INTERPOLATORS
+#define ZSTRIP_BEGIN_RUNS "  zstrip_interpolated_texture\n"
+#define ZSTRIP_BEGIN_RUN                                \
+  "  movs  r4, r1\n"                                    \
+  "  movs  r5, r0\n"                                    \
+  "  zstrip_interpolator\n"                             \
+  "  stm   r7!, {r2, r3, r4, r5}\n"                     \
+  "  subs  r7, r7, #.Linterp.base2 - .Linterp.accum0\n" \
+  "  mov   r5, r12\n"                                   \
+  "  mov   r6, lr\n"
+#define ZSTRIP_NEXT_EIGHT         \
+  "  adds  r6, r6, #8 * .Lcell\n" \
+  "  mov   lr, r6\n"
+#define ZSTRIP_END_RUNS ".purgem zstrip_interpolator\n.purgem zstrip_interpolated_texture\n"
+#else
+#define ZSTRIP_BEGIN_RUNS ""
+#define ZSTRIP_BEGIN_RUN                                   \
+  "  mov   r8, r2\n"                                       \
+  "  mov   r9, r1\n"                                       \
+  "  mov   r10, r3\n"                                      \
+  "  mov   r11, r0\n"                                      \
+  "  subs  r7, r7, #.Lruns.u_over_w_step - .Lrun.texels\n" \
+  "  ldm   r7, {r4-r7}             @ texels, both shifts, mask\n"
+#define ZSTRIP_NEXT_EIGHT         \
+  "  mov   r1, lr\n"              \
+  "  adds  r1, r1, #8 * .Lcell\n" \
+  "  mov   lr, r1\n"
+#define ZSTRIP_END_RUNS ""
+#endif
+
 // A run is two passes over eight pixels. A pixel's values have the registers of zstrip_texel; lr is the pixel. Between
 // runs r7 walks through the state: u/w, v/w and 1/w at the run's end; their quotients, in r8 and r10; then u and v,
 // whose distance from the run's start gives both steps. Depth and its cell wait on the stack, because the division uses
@@ -90,6 +176,7 @@ namespace zstrip::detail {
     mov   lr, r2
     str   r0, [sp, #.Lstack.state]
     str   r3, [sp, #.Lstack.runs]
+    )" ZSTRIP_BEGIN_RUNS R"(
     movs  r2, #0
     str   r2, [sp, #.Lstack.normalisation]
     ldr   r2, [r0, #.Lrun.z]
@@ -162,17 +249,12 @@ namespace zstrip::detail {
     muls  r1, r1, r4
     muls  r3, r3, r5
     muls  r0, r0, r5
-    mov   r8, r2
-    mov   r9, r1
-    mov   r10, r3
-    mov   r11, r0
+    )" ZSTRIP_BEGIN_RUN R"(
     ldr   r2, [sp, #.Lstack.z]
     ldr   r3, [sp, #.Lstack.cell]
     movs  r0, r3
     adds  r0, r0, #16 * .Lcell
     str   r0, [sp, #.Lstack.end]
-    subs  r7, r7, #.Lruns.u_over_w_step - .Lrun.texels
-    ldm   r7, {r4-r7}                 @ texels, both shifts, mask
   .Lruns_texels:
     zstrip_texel #0*.Lcell, #0*.Lcell
     zstrip_texel #1*.Lcell, #1*.Lcell
@@ -182,9 +264,7 @@ namespace zstrip::detail {
     zstrip_texel #5*.Lcell, #5*.Lcell
     zstrip_texel #6*.Lcell, #6*.Lcell
     zstrip_texel #7*.Lcell, #7*.Lcell
-    mov   r1, lr
-    adds  r1, r1, #8 * .Lcell
-    mov   lr, r1
+    )" ZSTRIP_NEXT_EIGHT R"(
     ldr   r0, [sp, #.Lstack.end]
     adds  r3, r3, #8 * .Lcell
     cmp   r3, r0
@@ -203,7 +283,7 @@ namespace zstrip::detail {
     str   r2, [r0, #.Lrun.z]
     add   sp, sp, #.Lstack.size
     .purgem zstrip_texel
-  )" ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
+  )" ZSTRIP_END_RUNS ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
 }
 
 void fill_runs_thumb(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
