@@ -68,8 +68,11 @@ bool transform_vertices_mve(const CompiledInstance& instance, const RasterOrigin
       place = vpselq_u32(vdupq_n_u32(static_cast<std::uint16_t>(kNotNarrow)), place, wide);
       depth = vpselq_u32(vdupq_n_u32(0), depth, wide);
     }
-    const uint32x4x2_t both{{place, depth}};
-    vst2q_u32(reinterpret_cast<std::uint32_t*>(vertices + first), both);
+    // Not vst2q_u32, for which GCC copies both vectors through the stack.
+    const uint32x4_t to = vidupq_n_u32(0, sizeof(SnappedVertex));
+    auto* const words = reinterpret_cast<std::uint32_t*>(vertices + first);
+    vstrwq_scatter_offset_u32(words, to, place);
+    vstrwq_scatter_offset_u32(words + 1, to, depth);
     // Some of the last four vertices may already be transformed.
     const std::uint32_t next = std::min(first + kMveVertices, count - kMveVertices);
     if (next == first) break;
