@@ -9,6 +9,9 @@ done
 rm -rf "$2"
 "$1/docs/site/build" "$2"
 [ -s "$2/html/index.html" ] && [ -s "$2/html/api/index.html" ] || { echo "the site lacks its first pages"; exit 1; }
+# The same bytes wherever it is built.
+named=$(grep -rlF "$(cd "$1" && pwd -P)" "$2/html" | head -n 3) || true
+[ -z "$named" ] || { printf 'pages name the folder of the sources:\n%s\n' "$named"; exit 1; }
 leads() { grep -q "href=\"[./]*$2\"" "$site/$1" || { echo "$1 does not lead to $2"; exit 1; }; }
 site=$2/html
 for page in docs/playground.html docs/porting.html docs/gallery.html; do leads index.html $page; done
