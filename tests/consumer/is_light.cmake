@@ -11,8 +11,12 @@ endif()
 # Objects of core and drivers, their two libraries, and what a program with the player adds: six objects, a library and
 # itself.
 set(kMaxSteps 40)
-file(GLOB_RECURSE objects ${FOLDER}/zstrip/core/*zstrip_core.dir/*.o ${FOLDER}/zstrip/hal/*zstrip_hal.dir/*.o)
+file(GLOB_RECURSE objects ${FOLDER}/zstrip/core/CMakeFiles/zstrip_core.dir/*.o
+  ${FOLDER}/zstrip/hal/CMakeFiles/zstrip_hal.dir/*.o)
 list(LENGTH objects steps)
+if(steps EQUAL 0)
+  message(FATAL_ERROR "${FOLDER} holds no objects of zstrip: was it built?")
+endif()
 math(EXPR steps "${steps} + 2 + 8")
 if(steps GREATER kMaxSteps)
   message(FATAL_ERROR "A program with zstrip's player takes ${steps} steps, more than ${kMaxSteps}: ${objects}")
