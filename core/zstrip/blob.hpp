@@ -10,6 +10,7 @@
 #include "zstrip/camera.hpp"
 #include "zstrip/clips.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/levels.hpp"
 #include "zstrip/morph.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
@@ -57,6 +58,7 @@ struct SceneBlob {
   MovedSkins moved{};                      ///< one Skinning a skin, to which the scene's meshes refer: for pose_clips
   MovedMorphs morphs{};                    ///< morph targets of meshes of the scene, for pose_clips
   std::span<const ClipEvent> events{};     ///< of the clips, or of `animation` as clip 0; clips ascend, and their times
+  std::span<const DetailLevel> levels{};   ///< for choose_levels: the scene's instances have their own meshes
   std::uint32_t memory_bytes = 0;          ///< of the lent memory, that are in use
 
   /// Returns the camera for a motion of `frames` frames.

@@ -8,6 +8,7 @@
 #include "zstrip/effects.hpp"
 #include "zstrip/fixed_renderer.hpp"
 #include "zstrip/layer.hpp"
+#include "zstrip/levels.hpp"
 #include "zstrip/morph.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/plan.hpp"

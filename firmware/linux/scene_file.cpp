@@ -70,11 +70,17 @@ scenes::BakedFrame SceneFile::staged(const Camera& camera, std::uint32_t frame, 
   if (!blob_.clips.empty()) played.time = time_of_frame(blob_.clips[0].instances, frame, frames);
   // A skin that cannot be posed is drawn as it was modelled; zstrip bake has tried many poses.
   static_cast<void>(pose_clips(blob_, {&played, 1}));
-  if (frame % frames == 0 && blob_.animation.tracks.empty()) return {blob_.scene, camera};
+  const bool is_at_rest = frame % frames == 0 && blob_.animation.tracks.empty();
+  if (is_at_rest && blob_.levels.empty()) return {blob_.scene, camera};
   instances_.resize(blob_.scene.instances.size());
   lines_.resize(blob_.scene.lines.size());
-  return scenes::stage({blob_.scene, camera, blob_.animation, blob_.turn}, frame, frames,
-                       {.instances = instances_, .lines = lines_});
+  scenes::BakedFrame staged{blob_.scene, camera};
+  if (!is_at_rest) {
+    staged = scenes::move({blob_.scene, camera, blob_.animation, blob_.turn}, frame, frames,
+                          {.instances = instances_, .lines = lines_});
+  }
+  scenes::choose_levels(blob_.levels, blob_.scene, instances_, staged);
+  return staged;
 }
 
 }  // namespace zstrip::panel

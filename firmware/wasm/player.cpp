@@ -78,6 +78,7 @@ Status begin_clips(std::span<const PlayedClip> clips) {
   if (const Status posed = pose_clips(blob, clips); !posed) return posed;
   staged = {blob.scene, camera};
   staged.scene.instances = instances;
+  scenes::choose_levels(blob.levels, blob.scene, instances, staged);
   return renderer->begin_frame(staged.scene, staged.camera, view, planned, arena);
 }
 
@@ -91,8 +92,9 @@ Status begin(std::uint32_t frame) {
   const scenes::AtRest baked{blob.scene, camera, blob.animation, blob.turn};
   staged = {blob.scene, camera};
   if (frame % frames != 0 || !blob.animation.tracks.empty()) {
-    staged = scenes::stage(baked, frame, frames, {.instances = instances, .lines = lines});
+    staged = scenes::move(baked, frame, frames, {.instances = instances, .lines = lines});
   }
+  scenes::choose_levels(blob.levels, blob.scene, instances, staged);
   return renderer->begin_frame(staged.scene, staged.camera, view, planned, arena);
 }
 

@@ -11,6 +11,7 @@
 #include "zstrip/camera.hpp"
 #include "zstrip/clips.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/levels.hpp"
 #include "zstrip/plan.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
@@ -70,6 +71,7 @@ struct BakedScene {
   const BlobCharacters* characters = nullptr;  ///< of a blob; null: nothing bends, and there is one animation or none
   std::span<const ClipEvent> events{};         ///< of a blob's clips; of a header's motion as clip 0
   std::size_t edges_left_out = 0;              ///< by ShownEdges
+  std::span<const DetailLevel> levels{};       ///< of detail; `scene` has their meshes
   std::string unclipped_where{};               ///< with effect::unclipped: the poses that were checked, as text
 };
 

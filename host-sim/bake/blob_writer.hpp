@@ -211,6 +211,10 @@ class BlobWriter {
     for (const std::uint16_t value : {event.clip, event.number}) half_word(std::uint32_t{value});
     word(event.time);
   }
+  void put(const DetailLevel& level) {
+    for (const std::uint16_t mesh : {level.mesh, level.coarser}) half_word(std::uint32_t{mesh});
+    word(level.distance);
+  }
   void put(const blob_layout::MorphRecord& morph) {
     put(morph.targets);
     half_word(std::uint32_t{morph.mesh});

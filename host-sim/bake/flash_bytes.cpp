@@ -27,7 +27,8 @@ std::uint64_t table_bytes(const Scene& scene) {
          scene.edges.size() * kEdgeSetBytes + overlay;
 }
 
-FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree, const BakedSkins& skins) {
+FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree, const BakedSkins& skins,
+                       std::span<const DetailLevel> levels) {
   FlashBytes bytes;
   std::set<std::pair<const void*, std::size_t>> seen;  // meshes may share arrays
   const auto add = [&seen](std::uint64_t& sum, const auto& records) {
@@ -80,11 +81,11 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
       if (skins.find(i) != nullptr && skins.find_morph(i) != nullptr) bytes.tables += kMeshBytes;
     }
   }
-  bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
-                  scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
-                  scene.outlines.size_bytes() + scene.csg.size_bytes() + scene.punctual_lights.size_bytes() +
-                  (scene.fog != nullptr ? sizeof(Fog) : 0) + (scene.shadow != nullptr ? sizeof(Shadow) : 0) +
-                  kSceneBytes + kCameraBytes;
+  bytes.tables += levels.size_bytes() + table_bytes(scene) + scene.materials.size_bytes() +
+                  scene.instances.size_bytes() + scene.quadrics.size_bytes() + scene.lights.size_bytes() +
+                  scene.finishes.size_bytes() + scene.outlines.size_bytes() + scene.csg.size_bytes() +
+                  scene.punctual_lights.size_bytes() + (scene.fog != nullptr ? sizeof(Fog) : 0) +
+                  (scene.shadow != nullptr ? sizeof(Shadow) : 0) + kSceneBytes + kCameraBytes;
   return bytes;
 }
 

@@ -41,7 +41,7 @@ std::uint64_t table_bytes(const Scene& scene);
 
 /// Returns the flash of constants in a program with addresses of 32 bits, without the gaps of alignment.
 FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree = {},
-                       const BakedSkins& skins = {});
+                       const BakedSkins& skins = {}, std::span<const DetailLevel> levels = {});
 
 /// The RAM of skins and morph targets, in addition to the arena.
 struct SkinRam {

@@ -196,6 +196,10 @@ std::string literal(const MorphRun& run) {
 std::string literal(const MorphOffset& offset) { return fmt::format("{{{}, {}, {}}}", offset.x, offset.y, offset.z); }
 std::string literal(const NormalOffset& offset) { return fmt::format("{{{}, {}, {}}}", offset.x, offset.y, offset.z); }
 std::string literal(const WeightKey& key) { return fmt::format("{{{}, {}}}", key.time, key.weight); }
+std::string literal(const DetailLevel& level) {
+  return fmt::format("{{{}, {}, {}}}", level.mesh, level.coarser, level.distance);
+}
+
 std::string literal(const ClipEvent& event) {
   return fmt::format("{{{}, {}, {}}}", event.clip, event.number, event.time);
 }

@@ -11,6 +11,7 @@
 #include "zstrip/animation.hpp"
 #include "zstrip/clips.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/levels.hpp"
 #include "zstrip/morph.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
@@ -61,6 +62,7 @@ std::string literal(const MorphRun& run);
 std::string literal(const MorphOffset& offset);
 std::string literal(const NormalOffset& offset);
 std::string literal(const WeightKey& key);
+std::string literal(const DetailLevel& level);
 std::string literal(const ClipEvent& event);
 const char* turning_name(Turning turning);
 

@@ -52,6 +52,11 @@ std::string with_namespace(std::string text, const std::string& name_space) {
 
 bool bends(const BakedScene& baked) { return baked.skins.move(); }
 
+std::string at_rest_words(const BakedScene& baked) {
+  return std::string("{@::kScene, @::kCamera, @::kAnimation, @::kTurn") + (baked.levels.empty() ? "" : ", @::kLevels") +
+         "}";
+}
+
 std::string pose_call(const BakedScene& baked, std::string_view time) {
   return fmt::format("@::{}({})", pose_function_of(baked.skins), time);
 }

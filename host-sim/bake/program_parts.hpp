@@ -14,6 +14,9 @@ namespace zstrip::sim {
 /// Replaces each @ by the header's namespace.
 std::string with_namespace(std::string text, const std::string& name_space);
 
+/// Returns the scene and its motion, for zstrip::Player::open and zstrip::scenes::stage.
+std::string at_rest_words(const BakedScene& baked);
+
 /// True if the scene has skins or morph targets, whose vertices the program writes before each frame.
 bool bends(const BakedScene& baked);
 /// Returns a call that moves them to their place at a time, with a placeholder for the namespace.

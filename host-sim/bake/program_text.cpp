@@ -207,7 +207,7 @@ std::string to_sketch(const BakedScene& baked, const std::string& name_space, Di
   const SketchPanel panel = sketch_panel(baked.view, library);
   std::string text = panel.head + player_text(baked) + panel.objects;
   text += "\nvoid setup() {\n  Serial.begin(115200);\n" + panel.start;
-  text += R"(  const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
+  text += R"(  const bool opened = player.open()" + at_rest_words(baked) + R"(, @::kView);
 )";
   text += pose;
   text += R"(  if (!opened || !player.fit(panel, kOptions)) Serial.println(player.error());
@@ -262,7 +262,8 @@ bool send(const zstrip::Rect& area, std::span<const std::byte> pixels) {
 
 int main(int count, char** words) {
   if (count < 2) return 2;
-  const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
+  const bool opened = player.open()" +
+          at_rest_words(baked) + R"(, @::kView);
   // A loop calls player.play(now) before each frame, with the milliseconds of a clock.
   if (count > 2) player.seek(static_cast<std::uint32_t>(std::strtoul(words[2], nullptr, 10)));
 )";

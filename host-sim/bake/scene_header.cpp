@@ -29,8 +29,8 @@ class Header {
     if (bends()) out_.line("#include <algorithm>\n#include <cstdint>\n");
     for (const char* header :
          {"animation.hpp", "camera.hpp", "effects.hpp", is_fixed() ? "fixed_renderer.hpp" : nullptr, "plan.hpp",
-          bends() ? "morph.hpp" : nullptr, "scene.hpp", "scene/turn.hpp", bends() ? "skin.hpp" : nullptr, "status.hpp",
-          "view.hpp"}) {
+          has_levels() ? "levels.hpp" : nullptr, bends() ? "morph.hpp" : nullptr, "scene.hpp", "scene/turn.hpp",
+          bends() ? "skin.hpp" : nullptr, "status.hpp", "view.hpp"}) {
       if (header != nullptr) out_.line(fmt::format("#include \"zstrip/{}\"", header));
     }
     if (!baked_.events.empty()) out_.line("#include \"zstrip/clips.hpp\"");
@@ -51,6 +51,7 @@ class Header {
 
  private:
   bool bends() const { return skins_.move(); }
+  bool has_levels() const { return !baked_.levels.empty(); }
   bool is_unclipped() const { return baked_.effects.has(effect::unclipped); }
   /// True if a FixedRenderer draws the scene.
   bool is_fixed() const {
@@ -119,6 +120,12 @@ class Header {
     }
     if (!baked_.tree.nodes.empty()) {
       out_.line(fmt::format("// Before begin_frame: renderer.set_visibility({{.tree = &{}::kTree}});", name_space));
+    }
+    if (has_levels()) {
+      out_.line(
+          "// Far instances have coarser meshes: call zstrip::choose_levels(kLevels, kScene, camera, instances) before "
+          "each");
+      out_.line("// frame, after everything has moved. zstrip::Player does it, if it is opened with kLevels.");
     }
     if (baked_.animation.tracks.empty()) return;
     out_.line(
@@ -289,6 +296,10 @@ class Header {
     out_.line("/// The motion of a scene without tracks, if several frames are shown.");
     out_.line(fmt::format("inline constexpr zstrip::Turn kTurn{{.what = zstrip::Turning::{}, .still_instances = {}}};",
                           turning_name(baked_.turn.what), baked_.turn.still_instances));
+    if (has_levels()) {
+      out_.line("/// Coarser meshes of far instances, for zstrip::choose_levels or the player.");
+      out_.array("zstrip::DetailLevel", "kLevels", baked_.levels);
+    }
     if (baked_.events.empty()) return;
     out_.line("/// Numbers for the program at times of the motion, for zstrip::next_event or the player.");
     out_.array("zstrip::ClipEvent", "kEvents", baked_.events);

@@ -75,7 +75,8 @@ alignas(4) std::byte pixels[3][@::kPlan.strip_pixel_bytes(@::kView)];  // two ar
 // The moving parts of the scene, in RAM.
 std::array<zstrip::Instance, @::kScene.instances.size()> instances;
 std::array<zstrip::LineSet, @::kScene.lines.size()> lines;
-constexpr zstrip::scenes::AtRest kAtRest{@::kScene, @::kCamera, @::kAnimation, @::kTurn};
+constexpr zstrip::scenes::AtRest kAtRest)" +
+                    at_rest_words(baked) + R"(;
 constexpr std::uint32_t kPeriod = @::kAnimation.tracks.empty() ? zstrip::Player::kTurnTime
                                                                    : std::max<std::uint32_t>(@::kAnimation.duration, 1);
 
@@ -134,7 +135,8 @@ std::string pico_program_of_one_core(const BakedScene& baked) {
 int main() {
   stdio_init_all();
   if (!start_panel()) std::puts("the panel does not start");
-  const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
+  const bool opened = player.open()" +
+          at_rest_words(baked) + R"(, @::kView);
 )";
   text += pico_pose(baked, "  ", "player.time()");
   text += R"(  if (!opened || !player.fit(panel, kOptions)) std::puts(player.error());
@@ -235,7 +237,8 @@ extern "C" void app_main() {
     std::puts("the panel does not start");
     return;
   }
-  const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
+  const bool opened = player.open()" +
+          at_rest_words(baked) + R"(, @::kView);
 )" + pose("  ") +
           R"(  if (!opened || !player.fit(panel, kOptions)) std::puts(player.error());
   for (;;) {

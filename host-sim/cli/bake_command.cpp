@@ -42,6 +42,7 @@
 #include "image/write_file.hpp"
 #include "import/quantise.hpp"
 #include "render/edged_stage.hpp"
+#include "render/levelled_stage.hpp"
 #include "render/shadow_pool.hpp"
 #include "render/stage.hpp"
 #include "report/bake_report.hpp"
@@ -109,7 +110,8 @@ Result<BakedScene> plan_baked(const std::string& scene, const Staging& staging, 
                    .plan = *plan,
                    .tree = staging.tree,
                    .turn = turn,
-                   .skins = skins};
+                   .skins = skins,
+                   .levels = staging.levels};
   const bool binned = plan->mode == Mode::binned;
   if (binned) baked.effects = baked.effects | effect::bins;
   baked.budget.modes = binned ? Modes::binned : Modes::streamed;
@@ -138,6 +140,7 @@ std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const BakeArguments& arg
   std::vector<std::size_t> bent;
   for (const ModelSkin& skin : skins.meshes) bent.push_back(skin.mesh);
   for (const ModelMorph& morph : skins.morphs) bent.push_back(morph.mesh);
+  for (const DetailLevel& level : at_rest.levels) bent.insert(bent.end(), {level.mesh, level.coarser});
   return std::make_unique<ShownEdges>(scenes::AtRest{at_rest.scene, at_rest.camera, animation, turn}, view, bent);
 }
 
@@ -150,7 +153,7 @@ BakeRecord describe(const BakeArguments& arguments, const Stage& stage, const Ba
                     .view = baked.view,
                     .materials = baked.scene.materials.size(),
                     .counts = count(baked.scene),
-                    .flash = flash_bytes(baked.scene, baked.animation, baked.tree, baked.skins),
+                    .flash = flash_bytes(baked.scene, baked.animation, baked.tree, baked.skins, baked.levels),
                     .accuracy = {},
                     .effects = find_effects(baked.scene, baked.camera, baked.effects, origins),
                     .plan = baked.plan,
@@ -159,6 +162,7 @@ BakeRecord describe(const BakeArguments& arguments, const Stage& stage, const Ba
                     .warnings = stage.warnings(),
                     .skin_ram = baked.characters != nullptr ? baked.characters->ram() : skin_ram(baked.skins),
                     .edges_left_out = baked.edges_left_out};
+  if (arguments.camera.reduction.lod || !baked.levels.empty()) record.levels = levels_record(baked.scene, baked.levels);
   if (model != nullptr) record.accuracy = model->accuracy;
   if (model != nullptr) record.shrunk = model->shrunk;
   if (model != nullptr && model->reduced) {
@@ -185,7 +189,8 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
                      .clips = characters != nullptr ? characters->clips() : std::span<const Clip>(),
                      .skins = characters != nullptr ? characters->skins() : std::span<const Skin>(),
                      .morphs = {characters != nullptr ? characters->morphs() : std::span<const MovedMorph>(), {}},
-                     .events = baked.events});
+                     .events = baked.events,
+                     .levels = baked.levels});
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
   if (characters != nullptr) record.flash.keyframes = characters->keyframe_bytes();
   record.flash.tables = blob->size() - record.flash.arrays();
@@ -277,6 +282,10 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
           settle_method(*kind, arguments.scene, arguments.plan.visibility.has_value(), request->method);
       !settled)
     return settled.failure();
+  if (arguments.camera.reduction.lod && (request->method != Effects{} || arguments.visible_sets)) {
+    return Failure{ExitStatus::usage, fmt::format("--lod changes meshes from frame to frame, which {} does not know",
+                                                  arguments.visible_sets ? "--visible-sets" : "--visibility")};
+  }
   if (const Result<Done> checked = check_visibility(
           request->method | picture_effects(*request) | edge_effects(request->edges), depth_option(std::nullopt));
       !checked) {
@@ -304,6 +313,7 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
       is_open ? (*trial->stage)->copy() : open_stage(arguments.scene, *model, *camera, request->view, angles);
   if (!stage) return stage.failure();
   if (trial != nullptr && !is_open) *trial->stage = (*stage)->copy();
+  if (stage && arguments.camera.reduction.lod) stage = with_levels(std::move(*stage), request->view);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
   if (trial == nullptr) {

@@ -104,6 +104,7 @@ Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSe
   if (!view) return view.failure();
   drawing.view = *view;
   drawing.edges = parse_edges(arguments.view, settings);
+  drawing.lod = arguments.camera.reduction.lod;
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, settings);
   if (!depth_format) return depth_format.failure();
   drawing.depth_format = *depth_format;

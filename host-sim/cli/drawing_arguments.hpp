@@ -40,6 +40,7 @@ struct Drawing {
   std::optional<PanelRequest> panel;
   View view;
   std::optional<bool> edges;  ///< for with_edges
+  bool lod = false;           ///< for with_levels
   DepthFormat depth_format = DepthFormat::z16;
   std::string_view depth_given;  ///< the option that chose it, for messages
   Effects perspective;

@@ -18,6 +18,7 @@
 #include "cli/print.hpp"
 #include "plan/alternatives.hpp"
 #include "render/edged_stage.hpp"
+#include "render/levelled_stage.hpp"
 #include "render/stage.hpp"
 #include "report/plan_report.hpp"
 #include "text/step_report.hpp"
@@ -90,6 +91,7 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   if (!camera) return camera.failure();
   std::optional<StepReport> steps(std::in_place, true);
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, 1);
+  if (stage && arguments.camera.reduction.lod) stage = with_levels(std::move(*stage), request->view);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   steps.reset();
   if (!stage) return stage.failure();
@@ -132,9 +134,10 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();
   choice->kept = *kept;
-  choice->flash_bytes =
-      flash_bytes(prepared->staging().scene, (*stage)->animation(), prepared->staging().tree, skins_of(**stage))
-          .total();
+  choice->flash_bytes = flash_bytes(prepared->staging().scene, (*stage)->animation(), prepared->staging().tree,
+                                    skins_of(**stage), staging->levels)
+                            .total();
+  if (!staging->levels.empty()) choice->level_bytes = staging->scene.instances.size_bytes();
   const SceneBlob* const blob = (*stage)->blob();
   choice->moved_bytes = (blob == nullptr ? skin_ram(skins_of(**stage))
                                          : skin_ram(blob->moved.skinnings, blob->moved.pose.size(), blob->morphs.meshes,

@@ -35,6 +35,8 @@ void add_reduction_options(CLI::App& command, ReductionArguments& arguments) {
                   "Limit for a model's triangles, a number or a share such as 25%; those that change its shape least "
                   "are removed")
       ->type_name("N|N%");
+  command.add_flag("--lod", arguments.lod,
+                   "Levels of detail: far instances are drawn with fewer triangles, at most half a pixel off");
 }
 
 Result<Reduction> parse_reduction(const ReductionArguments& arguments, const std::string& scene) {

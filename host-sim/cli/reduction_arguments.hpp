@@ -18,12 +18,13 @@ namespace zstrip::sim {
 struct ReductionArguments {
   std::optional<std::string> texture_size;
   std::optional<std::string> triangles;
+  bool lod = false;  ///< for with_levels, of any scene
 };
 
-/// Adds --texture-size and --triangles; `arguments` must live as long as the command.
+/// Adds --texture-size, --triangles and --lod; `arguments` must live as long as the command.
 void add_reduction_options(CLI::App& command, ReductionArguments& arguments);
 
-/// The options are usage errors unless the scene is a model file.
+/// Parses --texture-size and --triangles, which are usage errors unless the scene is a model file.
 Result<Reduction> parse_reduction(const ReductionArguments& arguments, const std::string& scene);
 
 }  // namespace zstrip::sim

@@ -7,6 +7,7 @@
 
 #include "cli/print.hpp"
 #include "render/edged_stage.hpp"
+#include "render/levelled_stage.hpp"
 #include "visibility/drawing.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/tree_stage.hpp"
@@ -42,6 +43,7 @@ Result<std::unique_ptr<Stage>> open_scene(const std::string& scene, const Drawin
       print_warning("--show shows pixels as they were drawn: edges are not smoothed");
     }
   }
+  if (stage && drawing.lod) stage = with_levels(std::move(*stage), drawing.view);
   if (stage) stage = with_edges(std::move(*stage), shows_picture ? drawing.edges : false, drawing.view);
   if (!stage) return stage;
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);

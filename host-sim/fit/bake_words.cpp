@@ -58,6 +58,7 @@ std::vector<std::string> bake_words(const BakeArguments& arguments) {
   add("--textures", arguments.textures);
   add("--texture-size", camera.reduction.texture_size);
   add("--triangles", camera.reduction.triangles);
+  add_flag("--lod", camera.reduction.lod);
   return words;
 }
 

@@ -12,6 +12,7 @@
 
 #include "accuracy/pareto.hpp"
 #include "image/to_rgb.hpp"
+#include "plan/staged_cost.hpp"
 #include "render/render_frame.hpp"
 #include "text/number.hpp"
 
@@ -24,17 +25,34 @@ constexpr const char* kPalettes[] = {"rgb565", "palette8", "palette4"};
 constexpr const char* kShares[] = {"", "50%", "25%", "12%", "6%"};
 constexpr std::size_t kFewTriangles = 64;  // fewer are not removed
 
+/// Returns the vertices that a header's program bends before each frame; a blob's are bent while they are drawn.
+std::size_t bent_before(const BakedScene& baked) {
+  std::size_t vertices = 0;
+  if (baked.characters != nullptr) return vertices;
+  for (const ModelSkin& skin : baked.skins.meshes) vertices += skin.bind.positions.size();
+  return vertices;
+}
+
+/// True if an instance is so far away that it has a coarser mesh.
+bool uses_levels(const BakedScene& baked) {
+  std::vector<Instance> instances(baked.scene.instances.begin(), baked.scene.instances.end());
+  choose_levels(baked.levels, baked.scene, baked.camera, instances);
+  return !std::ranges::equal(instances, baked.scene.instances, {}, &Instance::mesh, &Instance::mesh);
+}
+
 /// Draws the scene as it was baked, and fills in all that does not depend on other choices.
 Result<FitChoice> measured(const BakeArguments& arguments, const BoardModel& board, const BakedScene& baked,
                            const BakeRecord& record) {
   constexpr Effects kAdded = effect::perspective_runs | effect::depth_formats;
   FrameRenderer renderer(baked.view, {}, baked.effects & kAdded);
-  const Result<FrameReport> drawn = renderer.render(Staging{baked.scene, baked.camera}, baked.plan);
+  const Staging staging{
+      .scene = baked.scene, .camera = baked.camera, .bent_vertices = bent_before(baked), .levels = baked.levels};
+  const Result<FrameReport> drawn = renderer.render(staging, baked.plan);
   if (!drawn) return drawn.failure();
   Plan plan = baked.plan;
   plan.mode = drawn->mode;
   const std::uint64_t instructions =
-      estimated_cost(record.counts, baked.effects, baked.view, plan, work_of(drawn->statistics));
+      staged_cost(staging, record.counts, baked.effects, baked.view, plan, work_of(drawn->statistics));
   FitChoice choice{.arguments = arguments,
                    .textures = {},
                    .triangles = {},
@@ -42,8 +60,9 @@ Result<FitChoice> measured(const BakeArguments& arguments, const BoardModel& boa
                    .flash = record.flash.total(),
                    .ram = std::uint64_t{baked.plan.bytes()} +
                           std::uint64_t{record.strip_buffers} * baked.plan.strip_pixel_bytes(baked.view) +
-                          record.skin_ram.total(),
+                          record.skin_ram.total() + (record.levels ? record.levels->ram : 0),
                    .triangle_count = record.counts.triangles,
+                   .error_pixels = record.reduced ? record.reduced->pixels : 0,
                    .rate = rate_on(board, board.spi_mhz, {baked.plan, baked.view, instructions}),
                    .picture = rgb_image_of(baked.view, renderer.pixels())};
   return choice;
@@ -151,15 +170,17 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
   std::vector<std::uint32_t> sides{0};
   std::vector<const char*> shares{""};
   std::vector<const char*> palettes{"rgb565"};
+  std::vector<bool> lods{base.camera.reduction.lod};
   const std::vector<ViewArguments> views = smoothings(base.plan.view);
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<Failure> refused;
   for (std::size_t s = 0; s < shares.size(); ++s) {
     for (std::size_t t = 0; t < sides.size(); ++t) {
       std::unique_ptr<Stage> stage;
-      for (std::size_t p = 0; p < palettes.size() * views.size(); ++p) {
+      for (std::size_t p = 0; p < palettes.size() * views.size() * lods.size(); ++p) {
         BakeArguments arguments = base;
-        arguments.plan.view = views[p / palettes.size()];
+        arguments.plan.view = views[p / palettes.size() % views.size()];
+        arguments.camera.reduction.lod = lods[p / palettes.size() / views.size()];
         if (*shares[s] != '\0') arguments.camera.reduction.triangles = shares[s];
         if (sides[t] != 0) arguments.camera.reduction.texture_size = std::to_string(sides[t]);
         arguments.textures = palettes[p % palettes.size()];
@@ -185,10 +206,20 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
           sides = texture_sides(staging->scene);
           if (!staging->scene.textures.empty()) palettes.assign(std::begin(kPalettes), std::end(kPalettes));
           if (count(staging->scene).triangles >= kFewTriangles) shares.assign(std::begin(kShares), std::end(kShares));
+          if (staging->scene.instances.size() > 1 && staging->camera.projection == Projection::perspective) {
+            bool pays = false;
+            whole.camera.reduction.lod = true;
+            const BakeTrial with_levels{&stage, [&pays](const BakedScene& baked, const BakeRecord&) {
+                                          pays = uses_levels(baked);
+                                          return Result<Done>(Done{});
+                                        }};
+            if (const Result<Done> done = bake(whole, &with_levels); !done) return done.failure();
+            if (pays) lods = {false, true};
+          }
         }
         const Result<Done> done = bake(arguments, &trial);
-        progress(++found.tried,
-                 static_cast<std::uint32_t>(shares.size() * sides.size() * palettes.size() * views.size()));
+        progress(++found.tried, static_cast<std::uint32_t>(shares.size() * sides.size() * palettes.size() *
+                                                           views.size() * lods.size()));
         if (!done) {
           if (done.failure().status != ExitStatus::budget) return done.failure();
           refused = done.failure();
@@ -196,6 +227,7 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
         }
         choice->textures = texture_words(arguments);
         choice->triangles = *shares[s] == '\0' ? "all" : shares[s];
+        if (arguments.camera.reduction.lod) choice->triangles += ", lod";
         choice->smoothing = smoothing_words(arguments.plan.view);
         compare(*choice, found.whole);
         const Excess excess = excess_of(*choice, limits);

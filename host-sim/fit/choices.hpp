@@ -25,6 +25,7 @@ struct FitChoice {
   BakeArguments arguments;
   std::string textures, triangles, smoothing;  ///< the options in words; smoothing: of edges
   std::uint64_t flash = 0, ram = 0, triangle_count = 0;
+  double error_pixels = 0;  ///< how far removing triangles moved the surface, by the simplifier's measure
   BoardRate rate;
   double rms = 0;         ///< of a channel's difference to the whole model, 0 to 255
   std::uint64_t off = 0;  ///< pixels of which a channel differs by more than 24

@@ -116,11 +116,12 @@ class EdgeFinder {
 
 std::vector<Edge> find_edges(const Mesh& mesh, bool flat) { return EdgeFinder(mesh, flat).find(); }
 
-SceneEdges find_edges(const Scene& scene) {
+SceneEdges find_edges(const Scene& scene, std::span<const DetailLevel> levels) {
   std::map<std::uint16_t, bool> meshes;
   for (const Instance& instance : scene.instances) {
     meshes[instance.mesh] |= scene.materials[instance.material].smooth == Shading::flat;
   }
+  for (const DetailLevel& level : levels) meshes[level.coarser] = meshes[level.mesh];
   SceneEdges found;
   for (const auto& [mesh, flat] : meshes) {
     std::vector<Edge> edges = find_edges(scene.meshes[mesh], flat);

@@ -1,8 +1,10 @@
 // The edges of a mesh, for the renderer's anti-aliasing of edges: see Edge in zstrip/scene.hpp.
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "zstrip/levels.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
@@ -19,7 +21,8 @@ struct SceneEdges {
   std::vector<EdgeSet> sets;
 };
 
-/// Finds the edges of all meshes that instances have. A mesh is flat if any of its instances is.
-SceneEdges find_edges(const Scene& scene);
+/// Finds the edges of all meshes that instances have, and of those that `levels` give them. A mesh is flat if any of
+/// its instances is.
+SceneEdges find_edges(const Scene& scene, std::span<const DetailLevel> levels = {});
 
 }  // namespace zstrip::sim

@@ -46,7 +46,7 @@ void set_bounds(Meshlet& meshlet, std::span<const Position> positions, const Vec
 }
 
 std::vector<MeshData> split_into_meshlets(const MeshData& whole, std::span<const std::uint32_t> indices,
-                                          const Vec3& half_extent) {
+                                          const Vec3& half_extent, const MeshletLimits& limits) {
   if (indices.empty()) return {};  // meshoptimizer would abort
   std::vector<std::array<float, 3>> points;
   points.reserve(whole.positions.size());
@@ -55,13 +55,13 @@ std::vector<MeshData> split_into_meshlets(const MeshData& whole, std::span<const
                       static_cast<float>(p.y) * static_cast<float>(half_extent.y),
                       static_cast<float>(p.z) * static_cast<float>(half_extent.z)});
   }
-  const std::size_t bound = meshopt_buildMeshletsBound(indices.size(), kMeshletVertices, kMeshletTriangles);
+  const std::size_t bound = meshopt_buildMeshletsBound(indices.size(), limits.vertices, limits.triangles);
   std::vector<meshopt_Meshlet> found(bound);
-  std::vector<unsigned> vertices(bound * kMeshletVertices);
-  std::vector<unsigned char> corners(bound * kMeshletTriangles * 3);
+  std::vector<unsigned> vertices(bound * limits.vertices);
+  std::vector<unsigned char> corners(bound * limits.triangles * 3);
   found.resize(meshopt_buildMeshlets(found.data(), vertices.data(), corners.data(), indices.data(), indices.size(),
-                                     points[0].data(), points.size(), sizeof points[0], kMeshletVertices,
-                                     kMeshletTriangles, 0.0F));
+                                     points[0].data(), points.size(), sizeof points[0], limits.vertices,
+                                     limits.triangles, 0.0F));
 
   std::vector<MeshData> parts;
   for (const meshopt_Meshlet& from : found) {

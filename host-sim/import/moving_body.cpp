@@ -238,13 +238,13 @@ void MovingBody::hold(Held held) {
   }
 }
 
-void MovingBody::simplify(double error) {
+void MovingBody::simplify(double error, std::size_t triangles) {
   if (!(size_ > 0)) return;
   std::vector<std::uint32_t> left(indices_.size());
   float reached = 0;
   left.resize(meshopt_simplify(left.data(), indices_.data(), indices_.size(), vertices_[0].position.data(),
-                               vertices_.size(), sizeof(SourceVertex), 0, static_cast<float>(error / size_), 0,
-                               &reached));
+                               vertices_.size(), sizeof(SourceVertex), 3 * triangles, static_cast<float>(error / size_),
+                               0, &reached));
   if (left.empty()) return;
   result_ = std::move(left);
   error_ = double{reached} * size_;

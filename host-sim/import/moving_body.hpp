@@ -35,9 +35,9 @@ class MovingBody {
   /// The longest movement of the surface, by the simplifier's measure, in the file's units.
   double error() const { return error_; }
 
-  /// Removes from the whole body as much as `error` allows, a length in the file's units. A body that would vanish is
-  /// as it was before.
-  void simplify(double error);
+  /// Removes from the whole body as much as `error` allows, a length in the file's units, until `triangles` are left. A
+  /// body that would vanish is as it was before.
+  void simplify(double error, std::size_t triangles = 0);
 
   /// Writes the triangles that are left. A mesh may have none.
   void write_to(SourceModel& model) const;

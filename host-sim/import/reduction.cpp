@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -61,13 +62,13 @@ std::vector<MovingBody> bodies_of(const SourceModel& model) {
   return bodies;
 }
 
-std::uint64_t triangles_of(const std::vector<MovingBody>& bodies) {
+std::uint64_t triangles_of(std::span<const MovingBody> bodies) {
   std::uint64_t sum = 0;
   for (const MovingBody& body : bodies) sum += body.triangles();
   return sum;
 }
 
-double error_of(const std::vector<MovingBody>& bodies) {
+double error_of(std::span<const MovingBody> bodies) {
   double error = 0;
   for (const MovingBody& body : bodies) error = std::max(error, body.error());
   return error;
@@ -75,7 +76,7 @@ double error_of(const std::vector<MovingBody>& bodies) {
 
 /// Simplifies by the smallest error whose result keeps the limit, in even steps of the error's logarithm. If there is
 /// no such error, removes as many triangles as it can and returns false.
-bool simplify(std::vector<MovingBody>& bodies, Held held, std::uint64_t limit) {
+bool simplify(std::span<MovingBody> bodies, Held held, std::uint64_t limit) {
   constexpr double kSmallest = 1e-6;
   constexpr int kSteps = 10;
   double largest = 0;
@@ -115,6 +116,21 @@ Shrunk fit_textures(SourceModel& model, std::uint32_t side) {
     texture = shrink(texture, width, height);
   }
   return shrunk;
+}
+
+std::vector<ReducedMesh> reduce_each(SourceModel& model, double share) {
+  std::vector<MovingBody> bodies;
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) bodies.emplace_back(model, std::vector{i}, 1);
+  MovingBody::keep_shared_borders(bodies);
+  std::vector<ReducedMesh> reduced;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const auto all = static_cast<double>(model.meshes[i].indices.size() / 3);
+    bodies[i].hold(Held::all);
+    bodies[i].simplify(bodies[i].size(), static_cast<std::size_t>(std::ceil(all * share)));
+    reduced.push_back({bodies[i].triangles(), bodies[i].error()});
+  }
+  for (const MovingBody& body : bodies) body.write_to(model);
+  return reduced;
 }
 
 Reduced remove_triangles(SourceModel& model, const Reduction& reduction) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "import/source_model.hpp"
 
@@ -43,5 +44,16 @@ Shrunk fit_textures(SourceModel& model, std::uint32_t side);
 /// colours or joints change across a triangle, or the texture would slide visibly. Meshes may end up without triangles.
 /// Expects welded meshes with normals.
 Reduced remove_triangles(SourceModel& model, const Reduction& reduction);
+
+/// A mesh from which triangles were removed.
+struct ReducedMesh {
+  std::uint64_t triangles = 0;
+  double error = 0;  ///< as Reduced::error
+};
+
+/// Removes triangles from each mesh by itself, until its share is left or no vertex can go that is not kept as in
+/// remove_triangles. Vertices on open borders that meshes share stay, so that each reduced mesh fits to the others as
+/// they were. Expects welded meshes with normals and triangles; none may bend.
+std::vector<ReducedMesh> reduce_each(SourceModel& model, double share);
 
 }  // namespace zstrip::sim

@@ -44,6 +44,7 @@ struct PlanChoice {
   std::vector<Alternative> curve;    ///< from the smallest plan to a single strip, each faster than the one before
   std::uint64_t flash_bytes = 0;     ///< of the scene, without the program; set by the caller
   std::uint64_t moved_bytes = 0;     ///< RAM of moved vertices, in addition to the plan; set by the caller
+  std::uint64_t level_bytes = 0;     ///< RAM of instances that levels of detail change, likewise
   KeptFrames kept;                   ///< the memory of the scene as a static layer
   std::optional<DepthAdvice> depth;  ///< nothing if no surface is visible
 };

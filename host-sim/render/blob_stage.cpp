@@ -84,6 +84,7 @@ class BlobStage : public CameraStage {
     Result<Staging> placed =
         parts_.place({blob_.scene, chosen_camera(), animation(), turn()}, blob_.tree, frame, frames);
     if (placed && !blob_.morphs.meshes.empty()) placed->version = frame + 1;
+    if (placed) placed->levels = blob_.levels;
     return placed;
   }
 

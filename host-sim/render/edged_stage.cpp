@@ -67,7 +67,7 @@ Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::opt
                      fmt::format("edges are not smoothed in a scene with {}; use --no-edges", rival)};
     }
     if (!staging->scene.edges.empty()) return stage;
-    *found = find_edges(staging->scene);
+    *found = find_edges(staging->scene, staging->levels);
   }
   return std::unique_ptr<Stage>(std::make_unique<EdgedStage>(std::move(stage), std::move(found)));
 }

@@ -199,7 +199,13 @@ Result<Done> FrameRenderer::draw_on_threads(const Staging& staging, const Effect
   return Done{};
 }
 
-Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& plan) {
+Result<FrameReport> FrameRenderer::render(const Staging& placed, const Plan& plan) {
+  Staging staging = placed;
+  std::vector<Instance> instances(placed.scene.instances.begin(), placed.scene.instances.end());
+  if (!placed.levels.empty()) {
+    choose_levels(placed.levels, placed.scene, placed.camera, instances);
+    staging.scene.instances = instances;
+  }
   const Effects effects =
       effects_of(staging.scene, staging.camera) | effects_of(view_) | added_ | effect::statistics | method_;
   FrameReport report;

@@ -56,7 +56,7 @@ class FrameRenderer {
   /// enough.
   Result<FrameReport> render(const Staging& staging);
   /// Draws with a plan that fits the scene and the view.
-  Result<FrameReport> render(const Staging& staging, const Plan& plan);
+  Result<FrameReport> render(const Staging& placed, const Plan& plan);
 
   /// From now on also shows frames on `panel`, which has the view's size and format: strip by strip from two buffers
   /// alternately, on one thread. Strips that are planned have a multiple of `row_step` rows. The panel must outlive the

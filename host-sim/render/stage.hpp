@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "zstrip/animation.hpp"
 #include "zstrip/blob.hpp"
 #include "zstrip/camera.hpp"
+#include "zstrip/levels.hpp"
 #include "zstrip/morph.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
@@ -33,6 +35,8 @@ struct Staging {
   std::size_t splits = 0;         ///< triangles that were split for the tree
   std::uint32_t version = 0;      ///< differs if the contents of a mesh's tables may differ (zstrip/fingerprints.hpp)
   std::size_t bent_vertices = 0;  ///< vertices of skins that were moved for this frame
+  std::span<const DetailLevel> levels{};  ///< levels of detail, which FrameRenderer chooses: the instances have their
+                                          ///< own meshes
 };
 
 class Stage {

@@ -107,6 +107,15 @@ std::string shrunk_line(const BakeRecord& record) {
                      grouped(record.shrunk->texels), counted(record.shrunk->texels_before, "texel"));
 }
 
+std::string levels_lines(const BakeRecord& record) {
+  if (!record.levels) return "";
+  const LevelsRecord& levels = *record.levels;
+  if (levels.levels == 0) return "  detail     no levels: no mesh can lose enough triangles without losing its shape\n";
+  return fmt::format("  detail     {} for {}, with {}; {} of RAM for the instances\n",
+                     counted(levels.levels, "coarser mesh"), counted(levels.meshes, "mesh"),
+                     counted(levels.triangles, "triangle"), counted(levels.ram, "byte"));
+}
+
 std::string effect_lines(const BakeRecord& record) {
   std::string text;
   for (const FoundEffect& found : record.effects) {
@@ -128,13 +137,22 @@ std::string clipping_line(const BakeRecord& record) {
 
 }  // namespace
 
+LevelsRecord levels_record(const Scene& scene, std::span<const DetailLevel> levels) {
+  LevelsRecord record{.levels = levels.size(), .ram = levels.empty() ? 0 : scene.instances.size_bytes()};
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    record.meshes += i == 0 || levels[i].mesh != levels[i - 1].mesh;
+    record.triangles += scene.meshes[levels[i].coarser].triangles.size();
+  }
+  return record;
+}
+
 std::string bake_summary(const BakeRecord& record) {
   const SceneCounts& counts = record.counts;
   const Effects method = record.method ? record.method->method : Effects{};
   std::string text = fmt::format("{}: {} in {}, {}, {}\n", printable(record.scene),
                                  counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
                                  counted(counts.instances, "instance"), counted(record.materials, "material"));
-  text += reduced_line(record) + shrunk_line(record);
+  text += reduced_line(record) + shrunk_line(record) + levels_lines(record);
   text += fmt::format("  flash      {}\n", counted(record.flash.total(), "byte")) + flash_lines(record);
   text += palette_lines(record);
   text += mipmap_lines(record);
@@ -227,6 +245,11 @@ std::string bake_json(const BakeRecord& record) {
     object["shrunk"] = {
         {"textures", shrunk->textures}, {"texels_before", shrunk->texels_before}, {"texels", shrunk->texels}};
   }
+  object["levels"] = nullptr;
+  if (const auto& levels = record.levels) {
+    object["levels"] = {
+        {"coarser_meshes", levels->levels}, {"meshes", levels->meshes}, {"triangles", levels->triangles}};
+  }
   object["palettes"] = Json::array();
   for (const PaletteRecord& palette : record.palettes) {
     object["palettes"].push_back({{"texture", palette.texture},
@@ -269,6 +292,7 @@ std::string bake_json(const BakeRecord& record) {
     object["plan"]["ram_bytes"]["joints"] = record.skin_ram.joints;
     object["plan"]["ram_bytes"]["weights"] = record.skin_ram.weights;
   }
+  if (record.levels) object["plan"]["ram_bytes"]["instances"] = record.levels->ram;
   if (record.lent_bytes) object["plan"]["ram_bytes"]["lent_tables"] = *record.lent_bytes;
   if (const auto& method = record.method) {
     object["visibility"] = {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "import/model.hpp"
 #include "zstrip/budget.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/levels.hpp"
 #include "zstrip/view.hpp"
 
 namespace zstrip::sim {
@@ -39,6 +41,14 @@ struct ReducedTriangles {
   double pixels = 0;  ///< the error at the centre of the model, in the baked picture
 };
 
+/// The levels of detail of a scene.
+struct LevelsRecord {
+  std::size_t levels = 0;       ///< coarser meshes
+  std::size_t meshes = 0;       ///< meshes that have some
+  std::uint64_t triangles = 0;  ///< of all coarser meshes
+  std::uint64_t ram = 0;        ///< bytes of the instances, which must be in RAM
+};
+
 struct BakeRecord {
   std::string scene;
   std::string output;
@@ -62,7 +72,11 @@ struct BakeRecord {
   std::optional<ReducedTriangles> reduced{};
   std::optional<Shrunk> shrunk{};
   std::size_t edges_left_out = 0;  ///< that its motion never shows
+  std::optional<LevelsRecord> levels{};
 };
+
+/// `scene` has the meshes of the levels.
+LevelsRecord levels_record(const Scene& scene, std::span<const DetailLevel> levels);
 
 /// Returns the report as text.
 std::string bake_summary(const BakeRecord& record);

@@ -193,6 +193,10 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
     text += fmt::format("{:>10}  {:<12} vertices that move, joints and weights, in addition\n",
                         grouped(choice.moved_bytes), "moved");
   }
+  if (choice.level_bytes != 0) {
+    text += fmt::format("{:>10}  {:<12} instances, whose levels change, in addition\n", grouped(choice.level_bytes),
+                        "detail");
+  }
   text += fmt::format("{:>10}  {:<12} of the scene; a program adds its code\n", grouped(choice.flash_bytes), "flash");
   text += curve(choice, request.view);
   if (choice.depth) text += depth_table(*choice.depth);
@@ -242,6 +246,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                  {"estimate_leaves_out", left_out_of_estimates(choice.effects)},
                  {"flash_bytes", choice.flash_bytes},
                  {"moved_bytes", choice.moved_bytes},
+                 {"level_bytes", choice.level_bytes},
                  {"boards", rates_json(request, choice)},
                  {"plan", to_object(choice.chosen, request.budget.layer)},
                  {"curve", curve},

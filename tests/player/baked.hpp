@@ -20,7 +20,8 @@
 
 namespace zstrip::test {
 
-inline constexpr const char* kScenes[] = {"teapot_meshlets", "fog", "overlay", "csg", "lines", "robot", "room"};
+inline constexpr const char* kScenes[] = {"teapot_meshlets", "fog",   "overlay", "csg",
+                                          "lines",           "robot", "room",    "levels"};
 
 /// What `teapot_meshlets` calls for.
 inline constexpr Effects kTeapot = effect::lighting | effect::gouraud | effect::shade_gouraud;
@@ -88,6 +89,7 @@ inline std::vector<std::byte> drawn_directly(Blob& blob, const Screen& screen, c
                            animated ? opened.animation.duration : Player::kTurnTime,
                            {.instances = instances, .lines = lines});
   }
+  scenes::choose_levels(opened.levels, opened.scene, instances, staged);
   AnyRenderer renderer(effects);
   Memory arena(planned.plan.bytes());
   Memory pixels(planned.plan.strip_pixel_bytes(view));

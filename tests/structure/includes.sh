@@ -9,7 +9,7 @@ cd "$1"
 # pattern that fits says where a file stands. A public header stands with the folder that it opens.
 order=(
   'base/* status.hpp'
-  'scene/* @(animation|blob|camera|clips|effects|morph|overlay|scene|skin|view).hpp'
+  'scene/* @(animation|blob|camera|clips|effects|levels|morph|overlay|scene|skin|view).hpp'
   'store/*'
   'budget.hpp'
   'effects/*/effect.hpp effects/@(effect|exclusions|list|memory).hpp

@@ -259,6 +259,7 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("WKEY"), records.weight_keys);
   section(tag("WTRK"), records.weight_tracks);
   section(tag("evnt"), blob.events);
+  section(tag("lods"), blob.levels);
   section(tag("tree"), blob.tree.nodes);
 }
 

@@ -65,6 +65,7 @@ static_assert(sizeof(MorphRun) == 6 && sizeof(MorphOffset) == 6 && sizeof(Normal
               sizeof(WeightKey) == 8 && offsetof(WeightKey, weight) == 4);
 static_assert(sizeof(ClipEvent) == 8 && offsetof(ClipEvent, number) == 2 && offsetof(ClipEvent, time) == 4);
 static_assert(sizeof(void*) != 4 || (sizeof(MovedMorph) == 40 && sizeof(MorphTarget) == 28));
+static_assert(sizeof(DetailLevel) == 8 && offsetof(DetailLevel, coarser) == 2 && offsetof(DetailLevel, distance) == 4);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 using blob_layout::Header;
@@ -507,6 +508,9 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   if (!usable(found.camera) || !usable(found.camera_for(2))) return {.error = Error::camera};
   check_tree(reader, found.tree.nodes, found.scene);
   check_events(reader, found);
+  if (const Status levels = validate(found.levels, found.scene); !levels) {
+    reader.require(false, &found.levels[levels.needed]);
+  }
   if (!reader.status()) return reader.status();
   opened = found;
   return {};

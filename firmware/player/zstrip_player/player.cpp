@@ -148,7 +148,8 @@ bool Player::open(const scenes::AtRest& scene, const View& baked_for, std::span<
             .view = baked_for,
             .animation = scene.animation,
             .turn = scene.turn,
-            .events = events};
+            .events = events,
+            .levels = scene.levels};
   is_open_ = true;
   checksum_ = 0;
   keeps_tables_ = false;
@@ -239,8 +240,8 @@ bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat form
       baked_.turn.what == Turning::instances || baked_.turn.what == Turning::instances_and_lines;
   const bool turns_lines = scenes::turns_lines(baked_.animation, baked_.turn);
   const auto moves_instances = [](const Clip& clip) { return !clip.instances.tracks.empty(); };
-  const bool moves =
-      has_tracks || turns_instances || std::any_of(baked_.clips.begin(), baked_.clips.end(), moves_instances);
+  const bool moves = has_tracks || turns_instances || !baked_.levels.empty() ||
+                     std::any_of(baked_.clips.begin(), baked_.clips.end(), moves_instances);
   if (!take_table(moves ? baked_.scene.instances.size() : 0, instances_, Fault::motion_memory) ||
       !take_table(turns_lines ? baked_.scene.lines.size() : 0, lines_, Fault::motion_memory)) {
     return false;
@@ -401,6 +402,7 @@ bool Player::stage() {
     staged_ = scenes::stage({baked_.scene, camera, baked_.animation, baked_.turn}, time_, period(),
                             {.instances = instances_, .lines = lines_});
   }
+  scenes::choose_levels(baked_.levels, baked_.scene, instances_, staged_);
   if (has_background_) staged_.scene.background = background_;
   if (staged_text_[0] == 0) return true;
   missing_ = effect::overlay;

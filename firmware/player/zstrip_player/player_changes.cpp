@@ -47,6 +47,7 @@ Rect Player::changed() {
   for (const LineSet& lines : staged_.scene.lines) scene.add_one(&lines.transform);
   const auto add_place = [this](Digest& digest, const Instance& instance) {
     digest.add_one(&instance.transform);
+    if (!baked_.levels.empty()) digest.add(instance.mesh);
     for (const MovedMorph& morph : baked_.morphs.meshes) {
       if (morph.mesh == instance.mesh) digest.add(weights_);
     }

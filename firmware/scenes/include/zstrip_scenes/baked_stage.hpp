@@ -8,6 +8,7 @@
 
 #include "zstrip/animation.hpp"
 #include "zstrip/camera.hpp"
+#include "zstrip/levels.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/turn.hpp"
 #include "zstrip_scenes/stage.hpp"
@@ -20,6 +21,7 @@ struct AtRest {
   Camera camera;
   Animation animation{};
   Turn turn{};
+  std::span<const DetailLevel> levels{};  ///< levels of detail; empty: instances keep their meshes
 };
 
 /// The data that must be in RAM. All other data stays constant.
@@ -47,9 +49,19 @@ inline bool can_turn(const AtRest& baked) {
          (!turns_lines(baked.animation, baked.turn) || std::ranges::all_of(baked.scene.lines, can));
 }
 
-/// Returns frame `frame` of `frames` (> 0) that show the animation once, or else a full rotation, for which can_turn()
-/// must be true except for frame 0. The scene reads `parts`.
-inline BakedFrame stage(const AtRest& baked, std::uint32_t frame, std::uint32_t frames, const MovedParts& parts) {
+/// Chooses the levels of detail of a frame of `at_rest`, whose instances then are `instances`.
+inline void choose_levels(std::span<const DetailLevel> levels, const Scene& at_rest, std::span<Instance> instances,
+                          BakedFrame& staged) {
+  if (levels.empty()) return;
+  if (staged.scene.instances.data() != instances.data()) {
+    std::ranges::copy(staged.scene.instances, instances.begin());
+    staged.scene.instances = instances;
+  }
+  zstrip::choose_levels(levels, at_rest, staged.camera, instances);
+}
+
+/// Moves the scene as stage() does, without levels of detail.
+inline BakedFrame move(const AtRest& baked, std::uint32_t frame, std::uint32_t frames, const MovedParts& parts) {
   BakedFrame staged{baked.scene, baked.camera};
   const auto lend_instances = [&] {
     std::ranges::copy(baked.scene.instances, parts.instances.begin());
@@ -73,6 +85,14 @@ inline BakedFrame stage(const AtRest& baked, std::uint32_t frame, std::uint32_t 
     std::ranges::for_each(parts.lines, turn);
     staged.scene.lines = parts.lines;
   }
+  return staged;
+}
+
+/// Returns frame `frame` of `frames` (> 0) that show the animation once, or else a full rotation, for which can_turn()
+/// must be true except for frame 0. The scene reads `parts`.
+inline BakedFrame stage(const AtRest& baked, std::uint32_t frame, std::uint32_t frames, const MovedParts& parts) {
+  BakedFrame staged = move(baked, frame, frames, parts);
+  choose_levels(baked.levels, baked.scene, parts.instances, staged);
   return staged;
 }
 
