@@ -20,7 +20,9 @@ case $board in
     ;;
   VIRT_RV32)
     machine=virt architecture=rv32imc address=$((0x81000000))
-    compiler=riscv64-unknown-elf- qemu=(qemu-system-riscv32 -bios none)
+    compiler=riscv64-unknown-elf- qemu=(qemu-system-riscv32 -semihosting -bios none)
+    # For the processor that the port names, with Zicsr, GCC 12 says the library of 64 bits.
+    options+=(LIBS="$(riscv64-unknown-elf-gcc -march=rv32imac -mabi=ilp32 -print-libgcc-file-name 2>/dev/null || true)")
     ;;
   *) echo "there is no board $board"; exit 2 ;;
 esac
