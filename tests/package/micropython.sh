@@ -13,10 +13,10 @@ options=(MICROPY_HEAP_SIZE=409600)  # the native module, a player and a picture
 case $board in
   MPS2_AN385) machine=mps2-an385 architecture=armv7m address=$((0x21800000)) ;;
   MPS2_AN500) machine=mps2-an500 architecture=armv7emsp address=$((0x60100000)) ;;
-  MICROBIT) # in all of its RAM, and with the loader of native code, which the port leaves out here
-    machine=microbit architecture=armv6m address=$((0x80000)) step=$((0x18000))
+  MICROBIT) # the largest heap that fits, and the loader of native code, which the port leaves out here
+    machine=microbit architecture=armv6m address=$((0x90000)) step=$((0x10000))
     qemu+=(-global nrf51-soc.flash-size=1048576 -global nrf51-soc.sram-size=262144)
-    options=(MICROPY_HEAP_SIZE=225280 CFLAGS_EXTRA=-DMICROPY_PERSISTENT_CODE_LOAD_NATIVE=1)
+    options=(MICROPY_HEAP_SIZE=245760 CFLAGS_EXTRA=-DMICROPY_PERSISTENT_CODE_LOAD_NATIVE=1)
     ;;
   VIRT_RV32)
     machine=virt architecture=rv32imc address=$((0x81000000))
