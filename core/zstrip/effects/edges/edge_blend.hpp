@@ -20,7 +20,7 @@ constexpr std::uint16_t blended(std::uint16_t own, std::uint16_t other, std::uin
   return static_cast<std::uint16_t>(mean | (mean >> 16));
 }
 
-/// A strip whose edges are blended. Rectangles are in raster pixels.
+/// A strip whose edges are blended. Rectangles are in raster pixels and not empty.
 struct EdgeTarget {
   Rect area;
   std::uint16_t* pixels;     ///< without gaps
@@ -45,18 +45,21 @@ struct EdgeSurface {
 /// the flash of blending.
 struct EdgeRect {
   struct Range {
-    std::int32_t first, end;
-    constexpr bool has(std::int32_t place) const { return place >= first && place < end; }
+    std::int32_t first, length;
+    constexpr std::int32_t end() const { return first + length; }
+    [[gnu::always_inline]] constexpr bool has(std::int32_t place) const {
+      return static_cast<std::uint32_t>(place - first) < static_cast<std::uint32_t>(length);
+    }
   };
   Range along, across;
   std::int32_t step_along, step_across;
 
-  constexpr EdgeRect(const Rect& rect, bool columns)
-      : along{columns ? rect.left : rect.top, columns ? rect.right : rect.bottom},
-        across{columns ? rect.top : rect.left, columns ? rect.bottom : rect.right},
+  [[gnu::always_inline]] constexpr EdgeRect(const Rect& rect, bool columns)
+      : along{columns ? rect.left : rect.top, columns ? rect.width() : rect.height()},
+        across{columns ? rect.top : rect.left, columns ? rect.height() : rect.width()},
         step_along(columns ? 1 : rect.width()),
         step_across(columns ? rect.width() : 1) {}
-  constexpr std::int32_t index(std::int32_t place_along, std::int32_t place_across) const {
+  [[gnu::always_inline]] constexpr std::int32_t index(std::int32_t place_along, std::int32_t place_across) const {
     return (place_along - along.first) * step_along + (place_across - across.first) * step_across;
   }
 };
@@ -149,7 +152,7 @@ class EdgeBlend {
     // Differences are in the range of Bits: a view reaches 2^11 pixels from its middle, a narrow edge 2^10.
     const auto border = [](std::int32_t place) { return static_cast<Bits>(Int{place}) << kPixelBits; };
     const Bits off = below ? border(area_.across.first) - static_cast<Bits>(across)
-                           : static_cast<Bits>(across) - border(area_.across.end) + 1;
+                           : static_cast<Bits>(across) - border(area_.across.end()) + 1;
     const Bits step = 16 * static_cast<Bits>(below ? slope : -slope);
     return (off + step - 1) / step;
   }
@@ -158,7 +161,7 @@ class EdgeBlend {
     // Only pixels whose middles lie between the ends: of two edges that meet, only one contains the middle of the pixel
     // in which they meet.
     std::int32_t first = std::max(low.along >> 4, area_.along.first);
-    const std::int32_t end = std::min(high.along >> 4, area_.along.end);
+    const std::int32_t end = std::min(high.along >> 4, area_.along.end());
     if (first >= end) return 0;
     const Int length = Int{high.along} - low.along;
     const Int rise = Int{high.across} - low.across;

@@ -67,8 +67,10 @@ struct Stage : NoStage {
     copy_without_apron(own, drawn, pixels, area);
     const std::int32_t x = view.width >> 1, y = view.height >> 1;
     const auto to_raster = [x, y](const Rect& r) { return Rect{r.left - x, r.top - y, r.right - x, r.bottom - y}; };
-    blend<effects>(frame, image.strip, {to_raster(area), pixels, to_raster(drawn), own, target.area, target.depth},
-                   target.statistics);
+    if (!target.area.empty()) {
+      blend<effects>(frame, image.strip, {to_raster(area), pixels, to_raster(drawn), own, target.area, target.depth},
+                     target.statistics);
+    }
     image.area = area;
     image.pixels = pixels;
   }
