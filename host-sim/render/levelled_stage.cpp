@@ -119,8 +119,8 @@ Result<std::unique_ptr<Stage>> with_levels(std::unique_ptr<Stage> stage, const V
   for (const CoarserMesh& found : made->found.meshes) {
     const double scale = scales.at(found.mesh);
     const double distance = scale * (found.error * pixels_of_unit / kLevelPixels + radius_of(scene.meshes[found.mesh]));
-    constexpr double kFarthest = 16384;
-    if (distance > kFarthest || meshes.size() >= std::numeric_limits<std::uint16_t>::max()) continue;
+    constexpr double kFarthestAsked = 16384;
+    if (distance > kFarthestAsked || meshes.size() >= std::numeric_limits<std::uint16_t>::max()) continue;
     const DetailLevel level{found.mesh, static_cast<std::uint16_t>(meshes.size()), to_fixed(distance)};
     meshes.push_back(found.coarser);
     Scene tried = scene;
