@@ -9,6 +9,7 @@
 #include "bake/blob_characters.hpp"
 #include "bake/flash_bytes.hpp"
 #include "bake/uf2_file.hpp"
+#include "image/to_rgb.hpp"
 #include "import/read_file.hpp"
 #include "report/frame_record.hpp"
 #include "zstrip/blob.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bake/moving_meshes_text.hpp"
+#include "image/to_rgb.hpp"
 #include "panel/simulated_panel.hpp"
 #include "report/frame_record.hpp"
 #include "text/text.hpp"

@@ -10,6 +10,7 @@
 #include "bake/header_text.hpp"
 #include "bake/literals.hpp"
 #include "bake/moving_meshes_text.hpp"
+#include "image/to_rgb.hpp"
 #include "report/frame_record.hpp"
 #include "text/number.hpp"
 #include "text/text.hpp"

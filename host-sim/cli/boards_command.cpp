@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bench/board_model.hpp"
+#include "image/to_rgb.hpp"
 #include "panel/simulated_panel.hpp"
 #include "pico/flash_map.hpp"
 #include "render/picture_display.hpp"

@@ -13,6 +13,7 @@
 #include "cli/nearest_name.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
+#include "image/to_rgb.hpp"
 #include "render/picture_display.hpp"
 #include "report/frame_record.hpp"
 #include "text/text.hpp"

@@ -13,6 +13,7 @@
 
 #include "cli/nearest_name.hpp"
 #include "compose/perspective_runs.hpp"
+#include "image/to_rgb.hpp"
 #include "report/frame_record.hpp"
 #include "text/colour.hpp"
 #include "text/text.hpp"

@@ -1,4 +1,4 @@
-// Converts the renderer's pixels to 8 bits a channel.
+// Converts the renderer's pixels to 8 bits a channel; names their formats.
 #include "image/to_rgb.hpp"
 
 #include <array>
@@ -36,6 +36,19 @@ Rgb8 colour_at(std::span<const std::byte> row, std::size_t x, PixelFormat format
 }  // namespace
 
 bool is_grey(PixelFormat format) { return format == PixelFormat::gray4 || format == PixelFormat::mono; }
+
+const char* name(PixelFormat format) {
+  switch (format) {
+    case PixelFormat::rgb565: return "rgb565";
+    case PixelFormat::rgb565_swapped: return "rgb565_swapped";
+    case PixelFormat::gray4: return "gray4";
+    case PixelFormat::mono: return "mono";
+    case PixelFormat::rgb666: return "rgb666";
+    case PixelFormat::rgb444: return "rgb444";
+    case PixelFormat::xrgb8888: return "xrgb8888";
+  }
+  return "";
+}
 
 std::vector<std::uint8_t> grey_pixels_of(const View& view, std::span<const std::byte> pixels) {
   const std::size_t row_bytes = bytes_per_row(view.width, view.format);

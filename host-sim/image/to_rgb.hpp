@@ -1,4 +1,4 @@
-// Converts the renderer's pixels to 8 bits a channel.
+// Converts the renderer's pixels to 8 bits a channel; names their formats.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,9 @@ namespace zstrip::sim {
 
 /// True if the pixels have no colour: gray4 and mono.
 bool is_grey(PixelFormat format);
+
+/// Returns the name of the enumerator: "rgb565", "gray4" ...
+const char* name(PixelFormat format);
 
 /// `pixels` are all rows of the view, bytes_per_row each. The largest value of a channel becomes 255.
 RgbImage rgb_image_of(const View& view, std::span<const std::byte> pixels);

@@ -18,6 +18,7 @@
 #include "cli/scenes_command.hpp"
 #include "cli/usage_error.hpp"
 #include "compose/perspective_runs.hpp"
+#include "image/to_rgb.hpp"
 #include "plan/depth_advice.hpp"
 #include "play/left_out.hpp"
 #include "report/frame_record.hpp"

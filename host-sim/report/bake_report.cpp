@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "image/to_rgb.hpp"
 #include "report/frame_record.hpp"
 #include "report/plan_words.hpp"
 #include "text/number.hpp"

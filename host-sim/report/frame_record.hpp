@@ -45,8 +45,6 @@ struct RunRecord {
   std::optional<PanelRecord> panel{};
 };
 
-/// Returns the name of the enumerator: "rgb565", "gray4" ...
-const char* name(PixelFormat format);
 /// Returns "mono", or "mono dithered, 4 samples a pixel".
 std::string format_words(const View& view);
 /// Returns "streamed" or "binned".

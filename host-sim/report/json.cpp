@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "image/to_rgb.hpp"
 #include "report/frame_record.hpp"
 #include "report/heat_json.hpp"
 #include "report/ram_json.hpp"
@@ -100,19 +101,6 @@ nlohmann::ordered_json ram_bytes(const FrameReport& report) {
       {"instances", plan.instance_bytes}, {"extents", plan.extent_bytes}, {"vertices", plan.vertex_bytes},
       {"depth", plan.depth_bytes},        {"colour", plan.colour_bytes},  {"bins", plan.bin_bytes},
       {"effects", plan.effect_bytes},     {"arena", plan.bytes()},        {"strip_pixels", report.strip_pixel_bytes}};
-}
-
-const char* name(PixelFormat format) {
-  switch (format) {
-    case PixelFormat::rgb565: return "rgb565";
-    case PixelFormat::rgb565_swapped: return "rgb565_swapped";
-    case PixelFormat::gray4: return "gray4";
-    case PixelFormat::mono: return "mono";
-    case PixelFormat::rgb666: return "rgb666";
-    case PixelFormat::rgb444: return "rgb444";
-    case PixelFormat::xrgb8888: return "xrgb8888";
-  }
-  return "";
 }
 
 std::string format_words(const View& view) {
