@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bench/board_estimate.hpp"
+#include "image/to_rgb.hpp"
 #include "report/frame_record.hpp"
 #include "report/plan_words.hpp"
 #include "text/number.hpp"
