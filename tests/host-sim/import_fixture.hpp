@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string>
 
 #include "image/encode.hpp"
 #include "import/model.hpp"
@@ -46,6 +47,26 @@ class Import : public FolderTest {
     file(name, std::string(bytes->begin(), bytes->end()));
   }
 };
+
+/// A Collada file of one triangle of material m, whose effect has these elements besides its diffuse colour.
+inline std::string collada_triangle(const std::string& maps) {
+  return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">)"
+         R"(<library_images><image id="i"><init_from>gone.png</init_from></image></library_images>)"
+         R"(<library_effects><effect id="e"><profile_COMMON><newparam sid="s"><surface type="2D"><init_from>i</init_from>)"
+         R"(</surface></newparam><newparam sid="t"><sampler2D><source>s</source></sampler2D></newparam>)"
+         R"(<technique sid="common"><lambert>)" +
+         maps +
+         R"(<diffuse><color>1 0 0 1</color></diffuse></lambert></technique></profile_COMMON></effect></library_effects>)"
+         R"(<library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>)"
+         R"(<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0)"
+         R"(</float_array><technique_common><accessor source="#a" count="3" stride="3"><param name="X" type="float"/>)"
+         R"(<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>)"
+         R"(<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles material="m" count="1">)"
+         R"(<input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>)"
+         R"(<library_visual_scenes><visual_scene id="w"><node><instance_geometry url="#g"><bind_material><technique_common>)"
+         R"(<instance_material symbol="m" target="#m"/></technique_common></bind_material></instance_geometry></node>)"
+         R"(</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#w"/></scene></COLLADA>)";
+}
 
 using Point = std::array<int, 3>;
 

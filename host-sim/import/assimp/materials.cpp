@@ -17,6 +17,8 @@
 
 #include "image/decode.hpp"
 #include "import/assimp/linear_colours.hpp"
+#include "import/assimp/opacity.hpp"
+#include "import/ending.hpp"
 #include "import/find_file.hpp"
 #include "import/read_file.hpp"
 #include "import/screen_channel.hpp"
@@ -46,18 +48,23 @@ TextureWrap wrap_of(const aiMaterial& from, const char* key, unsigned type, unsi
   return mode == aiTextureMapMode_Wrap ? TextureWrap::repeat : TextureWrap::clamp;
 }
 
+/// Returns the name of a material's texture; empty if it has none.
+std::string texture_name(const aiMaterial& from, aiTextureType type) {
+  aiString name;
+  return from.Get(AI_MATKEY_TEXTURE(type, 0), name) == AI_SUCCESS ? name.C_Str() : "";
+}
+
 /// Maps of materials that are not drawn, by the words of the warning. Those of MTL have warnings of their own.
 struct UndrawnMap {
   aiTextureType type;
   const char* name;
 };
-constexpr std::array<UndrawnMap, 7> kUndrawnMaps{{{aiTextureType_NORMALS, "normal maps"},
+constexpr std::array<UndrawnMap, 6> kUndrawnMaps{{{aiTextureType_NORMALS, "normal maps"},
                                                   {aiTextureType_NORMAL_CAMERA, "normal maps"},
                                                   {aiTextureType_HEIGHT, "bump maps"},
                                                   {aiTextureType_LIGHTMAP, "light and occlusion maps"},
                                                   {aiTextureType_AMBIENT_OCCLUSION, "light and occlusion maps"},
-                                                  {aiTextureType_EMISSIVE, "emission maps"},
-                                                  {aiTextureType_OPACITY, "opacity maps"}}};
+                                                  {aiTextureType_EMISSIVE, "emission maps"}}};
 
 void warn_of_maps(const aiScene& scene, std::vector<std::string>& warnings) {
   std::set<std::string_view> names;
@@ -85,6 +92,7 @@ MaterialReader::MaterialReader(const aiScene& scene, const std::filesystem::path
       folder_(path.parent_path()),
       is_blender_fbx_(lower(path.extension().string()) == ".fbx" && has_linear_colours(scene, path)),
       linear_(has_linear_colours(scene, path)),
+      is_collada_(ending_of(path) == ".dae"),
       model_(model) {}
 
 void MaterialReader::read_all() {
@@ -93,6 +101,7 @@ void MaterialReader::read_all() {
     model_.materials.push_back(read(*material, texcoord_set));
     texcoord_sets_.push_back(texcoord_set);
   }
+  correct_reversed_alpha(scene_, model_);
   warn_of_maps(scene_, model_.warnings);
 }
 
@@ -117,18 +126,9 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
   int two_sided = 0;
   if (from.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS) to.double_sided = two_sided != 0;
 
-  aiString texture;
-  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
-    if (from.Get(AI_MATKEY_TEXTURE(type, 0), texture) != AI_SUCCESS || texture.length == 0) continue;
-    to.texture = read_texture(texture.C_Str());
-    to.wrap = {wrap_of(from, AI_MATKEY_MAPPINGMODE_U(type, 0)), wrap_of(from, AI_MATKEY_MAPPINGMODE_V(type, 0))};
-    int set = 0;
-    if (from.Get(AI_MATKEY_UVWSRC(type, 0), set) == AI_SUCCESS && set >= 0) texcoord_set = static_cast<unsigned>(set);
-    break;
-  }
+  const bool textured = read_textures(from, to, texcoord_set);
   // Exporters write black, or nothing, for a texture that is to be shown unchanged. Blender's texture replaces the
   // colour.
-  const bool textured = to.texture != kNoSourceTexture;
   if (textured && (is_default || linear_ || to.colour == std::array<std::uint8_t, 3>{0, 0, 0}))
     to.colour = {255, 255, 255};
   return to;
@@ -143,10 +143,64 @@ void MaterialReader::read_metal(const aiMaterial& from, SourceMaterial& to) cons
   to.roughness = 1 - std::sqrt(std::clamp(double{shininess} / 100, 0.0, 1.0));
 }
 
-std::uint32_t MaterialReader::read_texture(const std::string& name) {
-  const auto known = known_textures_.find(name);
-  if (known != known_textures_.end()) return known->second;
-  std::string title = name;
+bool MaterialReader::read_textures(const aiMaterial& from, SourceMaterial& to, unsigned& texcoord_set) {
+  const std::string map = texture_name(from, aiTextureType_OPACITY);
+  std::string colours;
+  aiTextureType placed = aiTextureType_OPACITY;
+  for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+    const std::string name = texture_name(from, type);
+    if (name.empty()) continue;
+    colours = name;
+    placed = type;
+  }
+  double alpha = alpha_of(from);
+  aiColor3D transparent;
+  // Collada's RGB_ZERO, in which white is transparent.
+  const bool inverted = is_collada_ && alpha == 1 && from.Get(AI_MATKEY_COLOR_TRANSPARENT, transparent) == AI_SUCCESS;
+  const Texture texture = read_texture(colours, map, inverted);
+  if (!map.empty() && texture.index != kNoSourceTexture && alpha == 0) alpha = 1;  // the map replaces it
+  to.alpha = to_screen_channel(alpha, false);
+  to.alpha_mode = to.alpha == 255 ? texture.alpha_mode : AlphaMode::blend;
+  to.texture = texture.index;
+  if (colours.empty() && map.empty()) return false;
+  to.wrap = {wrap_of(from, AI_MATKEY_MAPPINGMODE_U(placed, 0)), wrap_of(from, AI_MATKEY_MAPPINGMODE_V(placed, 0))};
+  int set = 0;
+  if (from.Get(AI_MATKEY_UVWSRC(placed, 0), set) == AI_SUCCESS && set >= 0) texcoord_set = static_cast<unsigned>(set);
+  return texture.has_colours;
+}
+
+MaterialReader::Texture MaterialReader::read_texture(const std::string& colours, const std::string& map,
+                                                     bool inverted) {
+  const auto [at, is_new] = known_textures_.try_emplace({colours, map, inverted});
+  Texture& texture = at->second;
+  if (!is_new) return texture;
+  std::string title;
+  std::optional<RgbImage> image = read_picture(colours, title);
+  texture.has_colours = image.has_value();
+  const bool is_own_map = !map.empty() && find_file(folder_, map) == find_file(folder_, colours);
+  if (is_own_map && image) texture.alpha_mode = alpha_mode_of(*image);
+  std::string map_title;
+  const std::optional<RgbImage> values = is_own_map ? std::nullopt : read_picture(map, map_title);
+  if (values) {
+    RgbImage white = white_with_alpha_of(*values, inverted);
+    texture.alpha_mode = alpha_mode_of(white);
+    if (image) {
+      set_alpha(white, *image);
+    } else if (texture.alpha_mode != AlphaMode::opaque) {
+      image = std::move(white);
+      title = map_title;
+    }
+  }
+  if (!image) return texture;
+  texture.index = static_cast<std::uint32_t>(model_.textures.size());
+  model_.textures.push_back(std::move(*image));
+  model_.texture_names.push_back(title);
+  return texture;
+}
+
+std::optional<RgbImage> MaterialReader::read_picture(const std::string& name, std::string& title) {
+  if (name.empty()) return std::nullopt;
+  title = name;
   Result<RgbImage> image = [&]() -> Result<RgbImage> {
     if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str())) return decode_embedded(*embedded);
     const std::filesystem::path path = find_file(folder_, name);
@@ -155,17 +209,12 @@ std::uint32_t MaterialReader::read_texture(const std::string& name) {
     if (!file) return file.failure();
     return decode_image(*file);
   }();
-  std::uint32_t index = kNoSourceTexture;
-  if (image) {
-    index = static_cast<std::uint32_t>(model_.textures.size());
-    model_.textures.push_back(std::move(*image));
-    model_.texture_names.push_back(title);
-  } else {
+  if (image) return std::move(*image);
+  if (unread_pictures_.insert(name).second) {
     model_.warnings.push_back(
         fmt::format("texture '{}' {}; its surfaces are drawn without it", title, image.failure().message));
   }
-  known_textures_.emplace(name, index);
-  return index;
+  return std::nullopt;
 }
 
 }  // namespace zstrip::sim

@@ -6,9 +6,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "image/rgb_image.hpp"
 #include "import/source_model.hpp"
 
 namespace zstrip::sim {
@@ -27,14 +31,27 @@ class MaterialReader {
   SourceMaterial read(const aiMaterial& from, unsigned& texcoord_set);
   /// Sets metal and roughness; without them the material is not a metal.
   void read_metal(const aiMaterial& from, SourceMaterial& to) const;
-  std::uint32_t read_texture(const std::string& name);
+  /// Sets texture, wrap and alpha. Returns true if the texture has colours.
+  bool read_textures(const aiMaterial& from, SourceMaterial& to, unsigned& texcoord_set);
+  /// A texture of the model. One without colours is white, with the alpha of a map.
+  struct Texture {
+    std::uint32_t index = kNoSourceTexture;
+    bool has_colours = false;
+    AlphaMode alpha_mode = AlphaMode::opaque;  ///< as the map of alpha needs it
+  };
+  /// Names of pictures, empty for none: colours, and a map whose values become their alpha.
+  Texture read_texture(const std::string& colours, const std::string& map, bool inverted);
+  /// Returns nothing, with a warning for each name, if the picture cannot be read.
+  std::optional<RgbImage> read_picture(const std::string& name, std::string& title);
 
   const aiScene& scene_;
   std::filesystem::path folder_;
   bool is_blender_fbx_;  ///< Blender wrote metal and roughness as reflection and shininess
   bool linear_;          ///< colours of materials are linear, because Blender wrote them
+  bool is_collada_;
   SourceModel& model_;
-  std::map<std::string, std::uint32_t> known_textures_;  ///< by name; also those that failed
+  std::map<std::tuple<std::string, std::string, bool>, Texture> known_textures_;  ///< also those that failed
+  std::set<std::string> unread_pictures_;
   std::vector<unsigned> texcoord_sets_;
 };
 

@@ -263,9 +263,10 @@ namespace {
 
 /// The values of an MTL material while its lines are read.
 struct MtlMaterial {
-  std::string_view name, texture, illumination;  ///< as in the file, after their key
+  std::string_view name, texture, alpha_map, illumination;  ///< as in the file, after their key
   std::optional<std::array<double, 3>> colour;
-  std::optional<double> metallic, roughness;  ///< 0..1
+  std::optional<double> metallic, roughness;     ///< 0..1
+  std::optional<double> dissolve, transparency;  ///< 0..1: d, and Tr, which is used if there is no d
   bool bad_colour = false, emits = false;
 };
 
@@ -333,8 +334,12 @@ void append(std::string& to, const MtlMaterial& material, bool linear) {
   if (!material.illumination.empty()) to += fmt::format("illum {}\n", material.illumination);
   if (material.metallic) to += fmt::format("Pm {:.6f}\n", *material.metallic);
   if (material.roughness) to += fmt::format("Pr {:.6f}\n", *material.roughness);
-  const MtlTexture texture = texture_of(material.texture);
-  if (!texture.name.empty()) to += fmt::format("map_Kd {}{}\n", texture.clamps ? "-clamp on " : "", texture.name);
+  to += fmt::format("d {:.6f}\n", material.dissolve.value_or(1 - material.transparency.value_or(0)));
+  const auto append_map = [&to](std::string_view key, const MtlTexture& map) {
+    if (!map.name.empty()) to += fmt::format("{} {}{}\n", key, map.clamps ? "-clamp on " : "", map.name);
+  };
+  append_map("map_Kd", texture_of(material.texture));
+  append_map("map_d", texture_of(material.alpha_map));
 }
 
 void warn(const MtlMaterial& material, std::vector<std::string>& warnings) {
@@ -345,6 +350,12 @@ void warn(const MtlMaterial& material, std::vector<std::string>& warnings) {
   if (material.emits) {
     warnings.push_back(fmt::format("material '{}' drawn without its emission: it is read of glTF 2.0 only", name));
   }
+}
+
+/// Returns the factor after `d`. With -halo it would be smaller where the surface faces the camera.
+std::optional<double> dissolve_of(std::string_view rest) {
+  std::string_view after = rest;
+  return share_of(lower(std::string(take_word(after))) == "-halo" ? trimmed(after) : rest);
 }
 
 /// Keys of maps that change normals, in small letters.
@@ -361,7 +372,7 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     if (!material) return;
     append(plain, *material, linear);
     warn(*material, warnings);
-    const TexturePlace place = texture_of(material->texture).place;
+    const TexturePlace place = texture_of(material->texture.empty() ? material->alpha_map : material->texture).place;
     if (place != TexturePlace{}) materials.places[std::string(material->name)] = place;
   };
   while (!text.empty()) {
@@ -370,8 +381,15 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     rest = trimmed(rest);
     if (key == "newmtl") {
       finish();
-      material =
-          MtlMaterial{.name = rest, .texture = {}, .illumination = {}, .colour = {}, .metallic = {}, .roughness = {}};
+      material = MtlMaterial{.name = rest,
+                             .texture = {},
+                             .alpha_map = {},
+                             .illumination = {},
+                             .colour = {},
+                             .metallic = {},
+                             .roughness = {},
+                             .dissolve = {},
+                             .transparency = {}};
       materials.defined.emplace(rest);
     }
     if (!material) continue;
@@ -384,6 +402,9 @@ std::string plain_mtl(std::string_view text, bool linear, std::vector<std::strin
     if (key == "map_ke" || key == "map_emissive") material->emits = true;
     if (key == "illum" && number_of(rest)) material->illumination = rest;
     if (key == "map_kd") material->texture = rest;
+    if (key == "map_d") material->alpha_map = rest;
+    if (key == "d") material->dissolve = dissolve_of(rest);
+    if (key == "tr") material->transparency = share_of(rest);
     if (key == "pm") material->metallic = share_of(rest);
     if (key == "pr") material->roughness = share_of(rest);
   }

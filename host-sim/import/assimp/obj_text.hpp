@@ -36,9 +36,9 @@ struct ObjMaterials {
 std::string plain_obj(std::string_view from, const std::function<bool(std::string_view)>& is_file,
                       std::set<std::string>& used, std::array<double, 3>& origin);
 
-/// Returns an MTL with only the lines that are drawn: names, diffuse colours and textures, illumination. Assimp refuses
-/// a file for some of the others. `linear`: diffuse colours are linear; otherwise is_of_blender() decides. Without a
-/// colour a texture is shown unchanged. Warnings are added to `warnings`, names and places to `materials`.
+/// Returns an MTL with only the lines that are drawn: names, diffuse colours and textures, alpha, illumination. Assimp
+/// refuses a file for some of the others. `linear`: diffuse colours are linear; otherwise is_of_blender() decides.
+/// Without a colour a texture is shown unchanged. Warnings are added to `warnings`, names and places to `materials`.
 std::string plain_mtl(std::string_view text, bool linear, std::vector<std::string>& warnings, ObjMaterials& materials);
 
 }  // namespace zstrip::sim
