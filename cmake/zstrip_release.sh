@@ -79,7 +79,7 @@ if wants packages; then
 fi
 
 if wants debian; then
-  configure host -DZSTRIP_FIRMWARE=OFF "-DZSTRIP_COMPILE_TOGETHER=core;host-sim" -DCMAKE_INSTALL_PREFIX=/usr
+  configure host -DZSTRIP_FIRMWARE=OFF -DZSTRIP_COMPILE_TOGETHER=host-sim -DCMAKE_INSTALL_PREFIX=/usr
   quietly "the command and libraries for Debian" cmake --build "$build/host" --parallel "$jobs"
   rm -rf "$build/host/packages"
   quietly "packages for Debian" cpack --config "$build/host/CPackConfig.cmake" -G DEB -B "$build/host/packages"

@@ -16,11 +16,11 @@ function(zstrip_configure_freestanding_target target)
     $<$<CXX_COMPILER_ID:GNU,Clang>:-Wdouble-promotion -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics>)
 endfunction()
 
-# ZSTRIP_COMPILE_TOGETHER lists the parts, core, host-sim and tests, whose sources are compiled folder by folder. That
-# parses headers once, for builds whose single sources do not change: `core` and `host-sim` in host-sim/run, these and
-# `tests` in tests/run, for this machine. The core of programs for boards is compiled source by source, because its size
-# and stack are measured. In another project `core` is the default: on a Cortex-M3 its K5 and CT take as many instructions
-# and its K5T 1 % fewer.
+# ZSTRIP_COMPILE_TOGETHER lists the parts, host-sim, core and tests, whose sources are compiled folder by folder. That
+# parses headers once, for builds whose single sources do not change: `host-sim` in host-sim/run, that and `tests` in
+# tests/run. There the core is compiled source by source: its programs are searched for code that a scene does not call,
+# and its size and instructions are measured. In another project `core` is the default: on a Cortex-M3 its K5 and CT take
+# as many instructions and its K5T 1 % fewer.
 
 # Sources that read options and write reports take longer to compile than they will ever run: of the optimiser only -O1.
 # They must emit no inline function of the core, which the linker could take for everybody.
