@@ -46,17 +46,6 @@ std::optional<Shading> shading_of(const Settings& settings) {
   return std::nullopt;
 }
 
-/// Returns `mesh` with views of `data`.
-Mesh with_data(Mesh mesh, const MeshData& data) {
-  mesh.positions = data.positions;
-  mesh.normals = data.normals;
-  mesh.colours = data.colours;
-  mesh.texcoords = data.texcoords;
-  mesh.triangles = data.triangles;
-  mesh.meshlets = data.meshlets;
-  return mesh;
-}
-
 }  // namespace
 
 bool may_simplify(const Scene& scene) {

@@ -101,17 +101,6 @@ MeshData to_data(SourceMesh& source, const Mesh& like) {
   return data;
 }
 
-/// Returns the mesh with the tables of `data`.
-Mesh with_tables(Mesh mesh, const MeshData& data) {
-  mesh.positions = data.positions;
-  mesh.normals = data.normals;
-  mesh.colours = data.colours;
-  mesh.texcoords = data.texcoords;
-  mesh.triangles = data.triangles;
-  mesh.meshlets = data.meshlets;
-  return mesh;
-}
-
 /// Returns the picture of a texture without a palette; others are not known, so that vertices stay where coordinates
 /// turn.
 std::optional<RgbImage> picture_of_texture(const Texture& texture) {
@@ -200,7 +189,7 @@ SceneLevels find_levels(const Scene& scene, std::span<const std::size_t> left_ou
       if (own.meshlets.empty()) parts.front().meshlets.clear();
       triangles[i] = count;
       found.data.push_back(std::move(parts.front()));
-      found.meshes.push_back({meshes[i], with_tables(own, found.data.back()), reduced[i].error});
+      found.meshes.push_back({meshes[i], with_data(own, found.data.back()), reduced[i].error});
     }
   }
   std::ranges::stable_sort(found.meshes, {}, &CoarserMesh::mesh);

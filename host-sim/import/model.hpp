@@ -46,6 +46,17 @@ struct MeshData {
   std::vector<std::uint32_t> morphs{};  ///< SourceVertex::morph of each vertex; empty without morph targets
 };
 
+/// Returns `mesh` with views of `data`.
+inline Mesh with_data(Mesh mesh, const MeshData& data) {
+  mesh.positions = data.positions;
+  mesh.normals = data.normals;
+  mesh.colours = data.colours;
+  mesh.texcoords = data.texcoords;
+  mesh.triangles = data.triangles;
+  mesh.meshlets = data.meshlets;
+  return mesh;
+}
+
 /// The tables of a morph target.
 struct MorphTables {
   std::vector<MorphRun> runs;

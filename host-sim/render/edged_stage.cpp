@@ -7,39 +7,25 @@
 #include <utility>
 
 #include "import/edges.hpp"
+#include "render/stage_over.hpp"
 #include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 namespace {
 
-class EdgedStage : public Stage {
+class EdgedStage : public StageOver {
  public:
   EdgedStage(std::unique_ptr<Stage> stage, std::shared_ptr<const SceneEdges> edges)
-      : stage_(std::move(stage)), edges_(std::move(edges)) {}
+      : StageOver(std::move(stage)), edges_(std::move(edges)) {}
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    Result<Staging> staging = stage_->place(frame, frames);
+    Result<Staging> staging = under().place(frame, frames);
     if (staging) staging->scene.edges = edges_->sets;
     return staging;
   }
-  Result<Camera> camera(std::uint32_t frames) const override { return stage_->camera(frames); }
-  std::unique_ptr<Stage> copy() const override { return std::make_unique<EdgedStage>(stage_->copy(), edges_); }
-  const std::vector<std::string>& warnings() const override { return stage_->warnings(); }
-  Animation animation() const override { return stage_->animation(); }
-  bool bends() const override { return stage_->bends(); }
-  const Model* bent() const override { return stage_->bent(); }
-  Animation joint_animation() const override { return stage_->joint_animation(); }
-  Result<std::vector<ModelClip>> clips() const override { return stage_->clips(); }
-  WeightAnimation weight_animation() const override { return stage_->weight_animation(); }
-  std::vector<ClipEvent> events() const override { return stage_->events(); }
-  OrbitLimits orbit_limits() const override { return stage_->orbit_limits(); }
-  Turn turn() const override { return stage_->turn(); }
-  Origins origins() const override { return stage_->origins(); }
-  const Model* model() const override { return stage_->model(); }
-  const SceneBlob* blob() const override { return stage_->blob(); }
+  std::unique_ptr<Stage> copy() const override { return std::make_unique<EdgedStage>(under().copy(), edges_); }
 
  private:
-  std::unique_ptr<Stage> stage_;
   std::shared_ptr<const SceneEdges> edges_;
 };
 

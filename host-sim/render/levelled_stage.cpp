@@ -12,6 +12,7 @@
 #include "import/levels.hpp"
 #include "import/quantise.hpp"
 #include "render/model_animation.hpp"
+#include "render/stage_over.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -22,13 +23,13 @@ struct LevelsOfStage {
   std::vector<Mesh> coarser;  ///< they follow the scene's meshes
 };
 
-class LevelledStage : public Stage {
+class LevelledStage : public StageOver {
  public:
   LevelledStage(std::unique_ptr<Stage> stage, std::shared_ptr<const LevelsOfStage> levels)
-      : stage_(std::move(stage)), levels_(std::move(levels)) {}
+      : StageOver(std::move(stage)), levels_(std::move(levels)) {}
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    Result<Staging> staging = stage_->place(frame, frames);
+    Result<Staging> staging = under().place(frame, frames);
     if (!staging) return staging;
     meshes_.assign(staging->scene.meshes.begin(), staging->scene.meshes.end());
     meshes_.insert(meshes_.end(), levels_->coarser.begin(), levels_->coarser.end());
@@ -36,24 +37,9 @@ class LevelledStage : public Stage {
     staging->levels = levels_->levels;
     return staging;
   }
-  Result<Camera> camera(std::uint32_t frames) const override { return stage_->camera(frames); }
-  std::unique_ptr<Stage> copy() const override { return std::make_unique<LevelledStage>(stage_->copy(), levels_); }
-  const std::vector<std::string>& warnings() const override { return stage_->warnings(); }
-  Animation animation() const override { return stage_->animation(); }
-  bool bends() const override { return stage_->bends(); }
-  const Model* bent() const override { return stage_->bent(); }
-  Animation joint_animation() const override { return stage_->joint_animation(); }
-  Result<std::vector<ModelClip>> clips() const override { return stage_->clips(); }
-  WeightAnimation weight_animation() const override { return stage_->weight_animation(); }
-  std::vector<ClipEvent> events() const override { return stage_->events(); }
-  OrbitLimits orbit_limits() const override { return stage_->orbit_limits(); }
-  Turn turn() const override { return stage_->turn(); }
-  Origins origins() const override { return stage_->origins(); }
-  const Model* model() const override { return stage_->model(); }
-  const SceneBlob* blob() const override { return stage_->blob(); }
+  std::unique_ptr<Stage> copy() const override { return std::make_unique<LevelledStage>(under().copy(), levels_); }
 
  private:
-  std::unique_ptr<Stage> stage_;
   std::shared_ptr<const LevelsOfStage> levels_;
   std::vector<Mesh> meshes_;
 };

@@ -96,7 +96,7 @@ TEST_F(Bake, SceneFilesBendAsTheModelAlone) {
   }
 }
 
-/// Where the model is the whole scene, its motion is as fine as alone: joints were 16 times coarser in every scene.
+/// A model that is the whole scene moves as finely as alone: joints were 16 times coarser in every scene.
 TEST_F(Bake, TheMotionOfAModelThatIsTheWholeSceneIsAsFineAsAlone) {
   const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
   file("alone.toml", "[[model]]\nname = 'a'\nfile = '" + figure + "'\n[[instance]]\nmodel = 'a'\n");
@@ -114,7 +114,7 @@ TEST_F(Bake, HeadersHaveTheEventsOfTheirMotion) {
   EXPECT_NE(header.find("#include \"zstrip/clips.hpp\""), std::string::npos);
 }
 
-/// What cannot move a skin says so, or refuses what would be wrong.
+/// The command says what keeps a skin still, and refuses what would be wrong.
 TEST_F(Bake, SkinsStandStillWithEdgesAndHaveNoOrderOfTriangles) {
   const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
   for (const std::vector<std::string>& options :

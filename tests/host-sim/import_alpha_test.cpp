@@ -97,7 +97,7 @@ TEST_F(ImportAlpha, MapsBecomeTheAlphaOfTheTexture) {
   EXPECT_EQ(alpha(material(with("map_Kd colour.png\nmap_d white.png"))), kSolid);
   EXPECT_EQ(alpha(material(with("map_Kd colour.png\nmap_d mask.png\nd 0.4"))), blended(102));
   EXPECT_EQ(alpha(material(with("map_Kd colour.png\nmap_d mask.png\nd 0"))), kMasked) << "the map replaces 0";
-  // The same picture: its alpha, not its luminance. Without map_d its alpha has no effect.
+  // If the map is the base texture itself, its alpha counts, not its luminance. Without map_d it has no effect.
   const SourceModel own = with("map_Kd own.png\nmap_d OWN.png");
   EXPECT_EQ(alpha(material(own)), kMasked);
   EXPECT_EQ(texels_alpha(own), (std::vector<std::uint8_t>{0, 255}));

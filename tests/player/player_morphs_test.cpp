@@ -265,7 +265,7 @@ TEST(PlayerEvents, OfAnimationsWithoutClips) {
   EXPECT_EQ(polled(scene.player), (Numbers{3, 65535}));
   scene.player.play(2300);
   EXPECT_EQ(polled(scene.player), Numbers{3});
-  // The same scene as constants of a header.
+  // A header would have these constants of the same scene.
   const SceneBlob& opened = scene.opened;
   ASSERT_TRUE(
       scene.player.open({opened.scene, opened.camera, opened.animation, opened.turn}, opened.view, opened.events));
