@@ -7,6 +7,7 @@ import {execFileSync} from 'node:child_process';
 import {existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
+import {fileURLToPath} from 'node:url';
 
 import {Chromium} from './chromium.mjs';
 import {Command} from './command.mjs';
@@ -350,6 +351,26 @@ test('keys turn the scene', async () => {
   await browser.evaluate(`document.getElementById('canvas').focus()`);
   await browser.press('ArrowRight', 39);
   await browser.until(`location.hash.includes('yaw=5')`, kPatience, 'the key turns nothing');
+});
+
+test('a dropped figure plays the animation that is named', async () => {
+  const figure = fileURLToPath(new URL('../../host-sim/scenes/figure/figure.gltf', import.meta.url));
+  await set('frames', '1');
+  await drawn();
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  await browser.drop('#drop', [figure]);
+  await drawn();
+  await shows(figure, ['--size', '160x120']);
+  await set('animation', 'wave');
+  await drawn();
+  await shows(figure, ['--size', '160x120', '--animation', 'wave']);
+  await set('animation', 'run');
+  await drawn('failed');
+  assert.match(await text('#status'), /no animation 'run' in the file; it has 'walk', 'wave'/);
+  for (const name of ['animation', 'frames']) {
+    await set(name, '');
+    await drawn();
+  }
 });
 
 test('dropped files are drawn, with those beside them', async () => {

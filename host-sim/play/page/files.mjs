@@ -1,7 +1,7 @@
 // Files that were dropped or chosen: their relative paths, and the one that is the scene.
 
 // The first kind of these that is among several files is the scene.
-export const kScenes = ['.toml', '.glb', '.gltf', '.zsc', '.obj', '.ply', '.stl', '.3mf'];
+export const kScenes = ['.toml', '.glb', '.gltf', '.vrm', '.zsc', '.obj', '.ply', '.stl', '.3mf'];
 
 // Returns a file, or all that is in a folder.
 async function filesOf(entry, path = '') {

@@ -225,7 +225,7 @@ async function addFiles(reading) {
 }
 
 function choose(scene) {
-  settings = {...settings, scene, background: '', light: ''};
+  settings = {...settings, scene, background: '', light: '', animation: ''};
   view = {...kStartView, slow: view.slow};
   isNew = true;
   isTyped = false;

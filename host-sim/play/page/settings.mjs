@@ -1,7 +1,8 @@
 // The settings: options of the command, controls of the page, and parts of a link.
 
 // `kind`: choice, flag, text or colour; without a value the option is left out. `tip`: explains the setting. `isBaked`:
-// `zstrip bake` has it, too. `isOfModels`: for models only; a scene file has it in its text. `isRare`: shown on demand.
+// `zstrip bake` has it, too. `isOfModels`: for models only; a scene file has it in its text. `isOfAnimations`: for models
+// and baked scenes, whose animations have names. `isRare`: shown on demand.
 export const kSettings = [
   {
     name: 'board', label: 'Board', option: '--board', kind: 'choice', choices: [''], none: 'none',
@@ -47,6 +48,10 @@ export const kSettings = [
     tip: 'Where the light of a model without lights comes from. In a scene file it is the first [[light]] of its text.'
   },
   {
+    name: 'animation', label: 'Animation', option: '--animation', isBaked: true, isOfAnimations: true, kind: 'text', hint: 'walk',
+    tip: 'The name of an animation of a glTF file or a baked scene; files that the page writes then have this one alone.'
+  },
+  {
     name: 'strip-rows', label: 'Rows of a strip', option: '--strip-rows', isBaked: true, kind: 'text', hint: 'auto', isRare: true,
     tip: 'The picture is drawn strip by strip; auto is as many rows as fit into the memory.'
   },
@@ -89,13 +94,15 @@ const isDigitsOf = (value) => /^-?[0-9]+(\.[0-9]+)?$/.test(value);
 // Tells scenes apart by their names, as the command does.
 export const isText = (scene) => /\.toml$/i.test(scene);
 export const isModel = (scene) => scene.includes('.') && !/\.(toml|zsc)$/i.test(scene);
+export const hasAnimations = (scene) => isModel(scene) || /\.zsc$/i.test(scene);
 
 // The options of `zstrip view`; with `command` 'bake' those that `zstrip bake` has.
 export function optionsOf(settings, command = 'view') {
   const options = [];
-  for (const {name, option, kind, isBaked, isOfModels} of kSettings) {
+  for (const {name, option, kind, isBaked, isOfModels, isOfAnimations} of kSettings) {
     const value = settings[name];
     if (!value || (command === 'bake' && !isBaked) || (isOfModels && !isModel(settings.scene))) continue;
+    if (isOfAnimations && !hasAnimations(settings.scene)) continue;
     if (kind === 'flag') {
       options.push(value === 'no' ? option.replace('--', '--no-') : option);
     } else {

@@ -1,5 +1,5 @@
 // The controls of the settings: each names its default by its value, explains itself, and says why it was refused.
-import {isModel, isText, kSettings} from './settings.mjs';
+import {hasAnimations, isModel, isText, kSettings} from './settings.mjs';
 
 const element = (id) => document.getElementById(id);
 const controlOf = (name) => element(`setting-${name}`);
@@ -62,9 +62,10 @@ export function showSettings(settings, opened, background) {
   const defaults = opened?.defaults ?? {};
   const hasLook = isModel(settings.scene) || isText(settings.scene);
   for (const setting of kSettings) {
-    const {name, kind, choices, isOfModels} = setting;
+    const {name, kind, choices, isOfModels, isOfAnimations} = setting;
     const control = controlOf(name), value = settings[name] ?? '';
     if (isOfModels) control.disabled = !hasLook;
+    if (isOfAnimations) control.disabled = !hasAnimations(settings.scene);
     if (kind === 'flag') control.checked = value === '' ? Boolean(defaults[name]) : value !== 'no';
     if (kind === 'text') {
       control.value = value;
@@ -83,6 +84,7 @@ export function showSettings(settings, opened, background) {
 
 function defaultOf(name, {board}, defaults) {
   if (name in defaults) return defaults[name];
+  if (name === 'animation') return 'the first';
   if (name !== 'ram') return 'auto';
   return board ? "the board's" : '24K, or what it needs';
 }
