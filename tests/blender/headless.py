@@ -235,6 +235,10 @@ def figures_bend(scene, cube):
     bpy.ops.zstrip.save(kind='HEADER', filepath=path('saved/bent.hpp'))
     with open(path('saved/bent.hpp'), encoding='utf-8') as file:
         check('kSkins' in file.read(), 'a header has the skin')
+    rig.animation_data.action['events'] = [0.0, 7.0]
+    bpy.ops.zstrip.save(kind='BLOB', filepath=path('saved/bent.zsc'))
+    with open(path('saved/bent.zsc'), 'rb') as file:
+        check(b'evnt' in file.read(), "a blob has the events of the action's custom property")
     check(bar.modifiers['rig'].show_viewport, "the armature's modifier stays on")
     scene.frame_set(1)
     bar.shape_key_add(name='Basis')

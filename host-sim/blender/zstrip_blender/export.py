@@ -75,7 +75,8 @@ def export_scene(folder, scene, view_layer=None, moving=False, modifiers=True):
     """Writes the scene as it stands into the folder, or, if `moving`, with its animation, skins and shape keys. Returns
     the path and the glb.Glb. Raises command.CommandError."""
     if not hasattr(bpy.types, 'EXPORT_SCENE_OT_gltf'):
-        raise command.CommandError("Blender's add-on 'glTF 2.0 format' is off; tick it in Preferences, Add-ons")
+        raise command.CommandError("Blender's add-on 'glTF 2.0 format' is off; tick it in Preferences, Add-ons; in Debian "
+                                   "it needs the package python3-numpy")
     if is_edited(scene):
         raise command.CommandError('leave Edit Mode first: it has not stored the mesh yet')
     path = os.path.join(folder, MODEL)
@@ -84,7 +85,7 @@ def export_scene(folder, scene, view_layer=None, moving=False, modifiers=True):
         'filepath': path, 'check_existing': False, 'export_format': 'GLB', 'export_yup': True, 'export_cameras': True,
         'export_lights': True, 'use_active_scene': True, 'use_renderable': True, 'export_apply': modifiers or not moving,
         'export_animations': moving, 'export_current_frame': not moving, 'export_skins': moving, 'export_morph': moving,
-        'export_extras': False, 'will_save_settings': False}
+        'export_extras': moving, 'will_save_settings': False}
     try:
         with _overridden(scene, view_layer), contextlib.redirect_stdout(_Silence()):
             result = bpy.ops.export_scene.gltf(**_known(bpy.ops.export_scene.gltf, words))
