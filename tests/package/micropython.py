@@ -92,6 +92,15 @@ print("clips", player.clips())
 fails("clip", player.play_clip, "run")
 fails("format", player.fit, 160, 120, 7)
 
+player.open(scene("events"))
+player.fit(160, 120)
+events = []
+for now in (0, 1200, 2300):
+    player.play(now)
+    while (number := player.poll_event()) is not None:
+        events.append((now, number))
+print("events", events)
+
 player.open(scene("room"))
 fails("fit", player.strip, 0)
 player.fit(160, 120, rows=16, masked=True)

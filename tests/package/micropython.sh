@@ -57,7 +57,7 @@ put() {
 }
 view=(--size 160x120 --quiet)
 scenes=
-for scene in teapot room "$root/host-sim/scenes/figure/figure.gltf"; do
+for scene in teapot room "$root/host-sim/scenes/figure/figure.gltf" "$root/tests/player/events.toml"; do
   name=$(basename "${scene%.*}")
   "$zstrip" bake "$scene" -o "$name.zsc" "${view[@]}" --turntable
   put "$name.zsc"
@@ -81,6 +81,7 @@ expect() {
   expect room 4
   expect figure 3 --animation wave
   echo "clips [('walk', 1200), ('wave', 1500)]"
+  echo "events [(1200, 3), (1200, 65535), (2300, 3)]"
   "$zstrip" render room.zsc "${view[@]}" -o room.png --pick 80,60 --json - | python3 -c '
 import json, sys
 at = json.load(sys.stdin)["frames"][0]["picked"]
@@ -98,7 +99,7 @@ run() {
   { printf '\001'; echo "SCENES = {$scenes}"; echo "NATIVE = $2"; cat "$root/tests/package/micropython.py"; printf '\004'; } >typed
   timeout 60 "${qemu[@]}" -machine "$machine" -display none -monitor none -serial stdio "${loaded[@]}" \
     -kernel build/firmware.elf < <(sleep 1; cat typed; sleep 60) 2>"$1.errors" | tr -d '\r\004' >"$1.said" || true
-  sed -n 's/^.*>OK//;/^\(frame\|clips\|picked\|strip\|changed\|turned\|end\|wrong\|no error\|Traceback\| \)/p;/Error/p' \
+  sed -n 's/^.*>OK//;/^\(frame\|clips\|events\|picked\|strip\|changed\|turned\|end\|wrong\|no error\|Traceback\| \)/p;/Error/p' \
     "$1.said" >"$1.shown"
   diff expected "$1.shown" || complain "what MicroPython shows with the $1 module (>) is not what is expected (<)"
 }
