@@ -78,6 +78,7 @@ constexpr Pattern kPatterns[] = {
     {"walk_", Group::spans},
     {"SpanTriangle", Group::spans},
     {"PlaneSetup", Group::spans},
+    {"WordOrLongPlanes", Group::spans},
     {"EdgeWalk", Group::spans},
     {"floor_of", Group::spans},
     {"signed_area", Group::spans},

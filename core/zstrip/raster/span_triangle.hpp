@@ -10,6 +10,7 @@
 
 #include "zstrip/kernels/span.hpp"
 #include "zstrip/kernels/textured_span.hpp"
+#include "zstrip/kernels/triangle_planes.hpp"
 #include "zstrip/pixels/edge_walk.hpp"
 #include "zstrip/raster/method_hooks.hpp"
 #include "zstrip/visibility/traits.hpp"
@@ -162,7 +163,7 @@ struct SpanTriangle {
 
   std::int64_t area;
   std::int32_t anchor_x, anchor_y;  ///< a pixel of the picture near the triangle; does not depend on the strip
-  PlaneSetup setup;
+  TrianglePlanes setup;
   TriangleDepth<mode.format> depth;
   DepthRule<mode> rule;
 };
