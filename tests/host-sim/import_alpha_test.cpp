@@ -176,8 +176,44 @@ TEST_F(ImportAlpha, KindsOfCollada) {
   }
 }
 
-/// An FBX of one triangle, written by hand.
-std::string fbx_triangle(const std::string& properties) {
+TEST_F(ImportAlpha, MapsOfCollada) {
+  grey_png("mask.png", 2, 2, {0, 255, 255, 0});
+  grey_png("smooth.png", 2, 2, {0, 64, 128, 255});
+  file("own.png", rgba_png(2, 1, {9, 9, 9, 0, 255, 255, 255, 255}));
+  const auto with = [&](const std::string& opaque, const char* picture) {
+    return source(file(
+        "m.dae",
+        collada_triangle("<transparent" + opaque + R"(><texture texture="t" texcoord="c"/></transparent>)", picture)));
+  };
+  const auto texels = [](const SourceModel& model) { return model.textures.at(material(model, "m").texture).alpha; };
+  for (const char* opaque : {"", R"( opaque="A_ONE")", R"( opaque="RGB_ONE")"}) {
+    const SourceModel masked = with(opaque, "mask.png"), smooth = with(opaque, "smooth.png");
+    EXPECT_EQ(alpha(material(masked, "m")), kMasked) << opaque;
+    EXPECT_EQ(texels(masked), (std::vector<std::uint8_t>{0, 255, 255, 0})) << opaque;
+    EXPECT_EQ(material(masked, "m").colour, (std::array<std::uint8_t, 3>{255, 0, 0})) << opaque;
+    EXPECT_EQ(alpha(material(smooth, "m")), kSmooth) << opaque;
+    EXPECT_EQ(texels(smooth), (std::vector<std::uint8_t>{0, 64, 128, 255})) << opaque;
+    EXPECT_TRUE(masked.warnings.empty()) << opaque;
+  }
+  EXPECT_EQ(texels(with(R"( opaque="A_ONE")", "own.png")), (std::vector<std::uint8_t>{0, 255})) << "its own alpha";
+  const SourceModel inverted = with(R"( opaque="RGB_ZERO")", "smooth.png");
+  EXPECT_EQ(alpha(material(inverted, "m")), kSmooth) << "white is transparent";
+  EXPECT_EQ(texels(inverted), (std::vector<std::uint8_t>{255, 191, 127, 0}));
+}
+
+/// An FBX of one triangle, written by hand. `maps`: pictures, and the properties of the material that each of them
+/// sets.
+std::string fbx_triangle(const std::string& properties,
+                         const std::vector<std::pair<std::string, std::string>>& maps = {}) {
+  std::string textures, connections;
+  for (const auto& [picture, property] : maps) {
+    const std::size_t number = 10 + connections.size();
+    textures += fmt::format(
+        "Texture: {0}, \"Texture::t\", \"\" {{\nType: \"TextureVideoClip\"\nVersion: 202\n"
+        "TextureName: \"Texture::t\"\nFileName: \"{1}\"\nRelativeFilename: \"{1}\"\n}}\n",
+        number, picture);
+    connections += fmt::format("C: \"OP\",{},3, \"{}\"\n", number, property);
+  }
   return "; FBX 7.3.0 project file\nFBXHeaderExtension:  {\nFBXHeaderVersion: 1003\nFBXVersion: 7300\n}\n"
          "GlobalSettings:  {\nVersion: 1000\nProperties70:  {\nP: \"UpAxis\", \"int\", \"Integer\", \"\",1\n}\n}\n"
          "Objects:  {\nGeometry: 1, \"Geometry::g\", \"Mesh\" {\nVertices: *9 {\na: 0,0,0,1,0,0,0,1,0\n}\n"
@@ -187,7 +223,8 @@ std::string fbx_triangle(const std::string& properties) {
          "Model: 2, \"Model::m\", \"Mesh\" {\nVersion: 232\n}\nMaterial: 3, \"Material::a\", \"\" {\nVersion: 102\n"
          "ShadingModel: \"lambert\"\nMultiLayer: 0\nProperties70:  {\n"
          "P: \"DiffuseColor\", \"Color\", \"\", \"A\",1,0,0\n" +
-         properties + "}\n}\n}\nConnections:  {\nC: \"OO\",2,0\nC: \"OO\",1,2\nC: \"OO\",3,2\n}\n";
+         properties + "}\n}\n" + textures + "}\nConnections:  {\nC: \"OO\",2,0\nC: \"OO\",1,2\nC: \"OO\",3,2\n" +
+         connections + "}\n";
 }
 
 TEST_F(ImportAlpha, KindsOfFbx) {
@@ -219,6 +256,32 @@ TEST_F(ImportAlpha, KindsOfFbx) {
   const SourceModel hidden = source(file("m.fbx", fbx_triangle(colour("1") + factor("1") + opacity("0"))));
   EXPECT_EQ(alpha(material(hidden)), kSolid);
   EXPECT_EQ(hidden.warnings.size(), 1U);
+}
+
+TEST_F(ImportAlpha, MapsOfFbx) {
+  png("colour.png", 2, 2, 0xF800);
+  grey_png("mask.png", 2, 2, {0, 255, 255, 0});
+  grey_png("smooth.png", 2, 2, {0, 64, 128, 255});
+  file("own.png", rgba_png(2, 1, {9, 9, 9, 0, 255, 255, 255, 255}));
+  const auto with = [&](const std::vector<std::pair<std::string, std::string>>& maps) {
+    return source(file("m.fbx", fbx_triangle("", maps)));
+  };
+  for (const char* property : {"TransparentColor", "TransparencyFactor"}) {
+    const SourceModel masked = with({{"colour.png", "DiffuseColor"}, {"mask.png", property}});
+    EXPECT_EQ(alpha(material(masked)), kMasked) << property;
+    EXPECT_EQ(texels_alpha(masked), (std::vector<std::uint8_t>{0, 255, 255, 0})) << property;
+    EXPECT_EQ(masked.textures[material(masked).texture].rgb[0], 255) << "colours stay";
+    const SourceModel smooth = with({{"smooth.png", property}});
+    EXPECT_EQ(alpha(material(smooth)), kSmooth) << property;
+    EXPECT_EQ(texels_alpha(smooth), (std::vector<std::uint8_t>{0, 64, 128, 255})) << property;
+    EXPECT_EQ(material(smooth).colour, (std::array<std::uint8_t, 3>{255, 0, 0})) << property;
+    EXPECT_TRUE(masked.warnings.empty() && smooth.warnings.empty()) << property;
+  }
+  // Blender and 3ds Max name the base texture again for its alpha. Without that its alpha has no effect.
+  const SourceModel own = with({{"own.png", "DiffuseColor"}, {"own.png", "TransparentColor"}});
+  EXPECT_EQ(alpha(material(own)), kMasked);
+  EXPECT_EQ(texels_alpha(own), (std::vector<std::uint8_t>{0, 255}));
+  EXPECT_EQ(alpha(material(with({{"own.png", "DiffuseColor"}}))), kSolid);
 }
 
 }  // namespace

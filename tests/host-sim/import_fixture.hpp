@@ -49,9 +49,11 @@ class Import : public FolderTest {
 };
 
 /// A Collada file of one triangle of material m, whose effect has these elements besides its diffuse colour.
-inline std::string collada_triangle(const std::string& maps) {
+inline std::string collada_triangle(const std::string& maps, const std::string& picture = "gone.png") {
   return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">)"
-         R"(<library_images><image id="i"><init_from>gone.png</init_from></image></library_images>)"
+         R"(<library_images><image id="i"><init_from>)" +
+         picture +
+         R"(</init_from></image></library_images>)"
          R"(<library_effects><effect id="e"><profile_COMMON><newparam sid="s"><surface type="2D"><init_from>i</init_from>)"
          R"(</surface></newparam><newparam sid="t"><sampler2D><source>s</source></sampler2D></newparam>)"
          R"(<technique sid="common"><lambert>)" +

@@ -155,8 +155,8 @@ bool MaterialReader::read_textures(const aiMaterial& from, SourceMaterial& to, u
   }
   double alpha = alpha_of(from);
   aiColor3D transparent;
-  // Collada's RGB_ZERO, in which white is transparent.
-  const bool inverted = is_collada_ && alpha == 1 && from.Get(AI_MATKEY_COLOR_TRANSPARENT, transparent) == AI_SUCCESS;
+  // Collada's RGB_ZERO, in which white is transparent: for a map Assimp computes the alpha of white.
+  const bool inverted = is_collada_ && alpha < 0.5 && from.Get(AI_MATKEY_COLOR_TRANSPARENT, transparent) == AI_SUCCESS;
   const Texture texture = read_texture(colours, map, inverted);
   if (!map.empty() && texture.index != kNoSourceTexture && alpha == 0) alpha = 1;  // the map replaces it
   to.alpha = to_screen_channel(alpha, false);
