@@ -1,7 +1,10 @@
-// The meshes of a stage that joints and morph targets move.
+// The meshes of a stage that joints and morph targets move, and the flash of its scene.
 #pragma once
 
+#include <cstdint>
+
 #include "bake/baked_scene.hpp"
+#include "bake/flash_bytes.hpp"
 #include "import/model.hpp"
 #include "render/stage.hpp"
 
@@ -18,6 +21,12 @@ inline BakedSkins skins_of(const Stage& stage) {
     skins.weight_animation = weights;
   }
   return skins;
+}
+
+/// Returns the flash of the scene without the program. `staging`: a frame of the stage.
+inline std::uint64_t scene_flash(const Stage& stage, const Staging& staging) {
+  if (stage.file_bytes() != 0) return stage.file_bytes();
+  return flash_bytes(staging.scene, stage.animation(), staging.tree, skins_of(stage), staging.levels).total();
 }
 
 }  // namespace zstrip::sim

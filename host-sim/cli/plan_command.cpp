@@ -134,9 +134,7 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();
   choice->kept = *kept;
-  choice->flash_bytes = flash_bytes(prepared->staging().scene, (*stage)->animation(), prepared->staging().tree,
-                                    skins_of(**stage), staging->levels)
-                            .total();
+  choice->flash_bytes = scene_flash(**stage, prepared->staging());
   if (!staging->levels.empty()) choice->level_bytes = staging->scene.instances.size_bytes();
   const SceneBlob* const blob = (*stage)->blob();
   choice->moved_bytes = (blob == nullptr ? skin_ram(skins_of(**stage))

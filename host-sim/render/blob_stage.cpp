@@ -112,6 +112,7 @@ class BlobStage : public CameraStage {
 
   const std::vector<std::string>& warnings() const override { return warnings_; }
   const SceneBlob* blob() const override { return &blob_; }
+  std::size_t file_bytes() const override { return bytes_.size(); }
   Animation animation() const override { return blob_.clips.empty() ? blob_.animation : blob_.clips[clip_].instances; }
   bool bends() const override {
     return (!blob_.skins.empty() && !joint_animation().tracks.empty()) || !weight_animation().tracks.empty();

@@ -32,6 +32,7 @@ class EdgedStage : public StageOver {
 /// Returns the effect of the scene that edges cannot be combined with; empty if there is none.
 std::string_view rival_of_edges(Effects effects) {
   if (effects.has(effect::outlines)) return "outlines";
+  if (effects.has(effect::skins)) return "skins that are moved while they are drawn";
   return effects.has(effect::csg) ? "CSG" : "";
 }
 

@@ -75,6 +75,8 @@ class Stage {
   virtual const Model* model() const { return nullptr; }
   /// Returns the baked scene; null for other scenes.
   virtual const SceneBlob* blob() const { return nullptr; }
+  /// Returns the size of the baked scene's file; 0 for other scenes, and for those that have more than the file.
+  virtual std::size_t file_bytes() const { return 0; }
 };
 
 /// Returns the duration of all frames: of the scene's animation, or else of a rotation, which has a default duration.

@@ -9,7 +9,6 @@
 #include <span>
 #include <utility>
 
-#include "bake/flash_bytes.hpp"
 #include "bake/stage_skins.hpp"
 #include "bench/board_estimate.hpp"
 #include "image/encode.hpp"
@@ -129,7 +128,7 @@ Result<ViewedFrame> Viewer::draw(bool with_png) {
                      .heat = {},
                      .text = {}};
   const Stage& stage = drawer_->stage();
-  viewed.flash_bytes = flash_bytes(staging->scene, stage.animation(), staging->tree, skins_of(stage)).total();
+  viewed.flash_bytes = scene_flash(stage, *staging);
   const Effects effects = effects_of(staging->scene, staging->camera) | effects_of(drawing_->view);
   viewed.instructions = staged_cost(*staging, count(staging->scene), effects, drawing_->view, viewed.report.plan,
                                     work_of(viewed.report.statistics));

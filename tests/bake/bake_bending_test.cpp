@@ -68,7 +68,7 @@ TEST_F(Bake, SceneFilesBendAsTheModelAlone) {
                            "], field_of_view = 40 }\n[[model]]\nname = 'a'\nfile = '" + model +
                            "'\n[[model]]\nname = 'b'\nbuilt_in = 'cube'\n[[instance]]\nmodel = 'a'\n"
                            "[[instance]]\nmodel = 'b'\ntranslation = [0, 0, 90]\n");  // behind the camera
-    const auto frames = [&](const std::string& scene, std::vector<std::string> options) {
+    const auto frames = [this, model = model](const std::string& scene, std::vector<std::string> options) {
       std::vector<std::string> arguments{"render",   scene,       "-o",      scene == model ? "alone" : "placed",
                                          "--frames", "6",         "--size",  "160x120",
                                          "--format", "rgb565",    "--image", "raw",
@@ -127,6 +127,10 @@ TEST_F(Bake, SkinsStandStillWithEdgesAndHaveNoOrderOfTriangles) {
     const std::vector<std::string> shown = crcs("still.zsc", {}, 2);
     EXPECT_EQ(shown[0], shown[1]);
   }
+  report({"bake", figure, "-o", "figure.zsc"});
+  const Outcome edged = run(ZSTRIP_COMMAND, {"render", "figure.zsc", "-o", "figure.png", "--edges"}, path(""));
+  EXPECT_EQ(edged.status, 2);
+  EXPECT_NE(edged.err.find("moved while they are drawn; use --no-edges"), std::string::npos) << edged.err;
   const Outcome header = run(ZSTRIP_COMMAND, {"bake", figure, "-o", "figure.hpp", "--quiet"}, path(""));
   EXPECT_EQ(header.status, 0);
   EXPECT_EQ(header.err, "");
@@ -150,6 +154,7 @@ TEST_F(Bake, MorphTargetsMoveInHeadersAndBlobs) {
     const Outcome planned = zstrip({"plan", scene, "--json"});
     ASSERT_EQ(planned.status, 0) << planned.err;
     EXPECT_EQ(Json::parse(planned.out)["moved_bytes"], 24 * 10 + 20 + 4) << scene;
+    EXPECT_EQ(Json::parse(planned.out)["flash_bytes"], (scene == cube ? baked : blob)["flash_bytes"]["total"]) << scene;
   }
   for (const char* part : {"positions", "normals", "morphs", "keyframes"}) {
     EXPECT_EQ(blob["flash_bytes"][part], baked["flash_bytes"][part]) << part;
