@@ -64,6 +64,19 @@ TEST_F(ViewCommand, ShowsWhatRenderWrites) {
   }
 }
 
+TEST_F(ViewCommand, ShowsAClipOfABlobAsRenderDoes) {
+  const std::string figure = std::string(ZSTRIP_SCENE_FILES) + "/figure/figure.gltf";
+  ASSERT_EQ(zstrip({"bake", figure, "-o", path("figure.zsc"), "--size", "60x90", "--quiet"}).status, 0);
+  const Outcome outcome = view(path("figure.zsc"), "s,right,s,q", {"--animation", "wave", "--frames", "6"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(zstrip({"render", path("figure.zsc"), "-o", "frames/", "--animation", "wave", "--frames", "6"}).status, 0);
+  for (const char* const number : {"1", "2"}) {
+    const std::string frame = "frames/frame_000" + std::to_string(number[0] - '1') + ".png";
+    EXPECT_TRUE(read(path("figure-" + std::string(number) + ".png")) == read(path(frame))) << number;
+  }
+  EXPECT_TRUE(read(path("figure-1.png")) != read(path("figure-2.png"))) << "it moves";
+}
+
 TEST_F(ViewCommand, KeysAndTheMouseChangeWhatIsSeenAndBack) {
   const std::vector<std::string> options{"--size", "64x48", "--frames", "5"};
   const Outcome outcome =
