@@ -28,7 +28,8 @@ void add_reduction_options(CLI::App& command, ReductionArguments& arguments) {
   command
       .add_option(
           "--texture-size", arguments.texture_size,
-          "Limit for the longer side of a model's textures, a power of two from 1 to 2048; larger textures are shrunk")
+          "Limit for the longer side of a model's textures, a power of two from 1 to 2048; larger textures are shrunk. "
+          "0: vertices get the colours of opaque textures, which are left out")
       ->type_name("N");
   command
       .add_option("--triangles", arguments.triangles,
@@ -43,8 +44,10 @@ Result<Reduction> parse_reduction(const ReductionArguments& arguments, const std
   Reduction reduction;
   if (const std::optional<std::string>& text = arguments.texture_size) {
     std::uint32_t& side = reduction.texture_side;
-    if (!read_number(*text, side) || !std::has_single_bit(side) || side > kMaxTextureSide) {
-      return usage(fmt::format("--texture-size '{}' must be a power of two from 1 to {}", *text, kMaxTextureSide));
+    const bool is_number = read_number(*text, side);
+    reduction.fold_textures = is_number && side == 0;
+    if (!is_number || (!reduction.fold_textures && !std::has_single_bit(side)) || side > kMaxTextureSide) {
+      return usage(fmt::format("--texture-size '{}' must be 0 or a power of two from 1 to {}", *text, kMaxTextureSide));
     }
   }
   if (const std::optional<std::string>& text = arguments.triangles) {

@@ -86,10 +86,11 @@ FileModel read_model_table(TomlTable& table) {
     clip.finish();
   }
   if (table.has("clip") && table.has("animation")) table.wrong("animation", "give either 'animation' or 'clip'");
-  if (const auto side = table.integer("texture_size", 1, kMaxTextureSide)) {
+  if (const auto side = table.integer("texture_size", 0, kMaxTextureSide)) {
     model.reduction.texture_side = static_cast<std::uint32_t>(*side);
-    if (!std::has_single_bit(model.reduction.texture_side)) {
-      table.wrong("texture_size", "'texture_size' must be a power of two");
+    model.reduction.fold_textures = *side == 0;
+    if (*side != 0 && !std::has_single_bit(model.reduction.texture_side)) {
+      table.wrong("texture_size", "'texture_size' must be 0 or a power of two");
     }
   }
   if (const auto triangles = table.integer("triangles", 1, kMaxTriangleLimit)) {

@@ -107,19 +107,25 @@ Excess excess_of(const FitChoice& choice, const FitLimits& limits) {
   return worst;
 }
 
-/// The sides of the largest texture and of its halves; only 0, as it is, without textures.
-std::vector<std::uint32_t> texture_sides(const Scene& scene) {
-  std::vector<std::uint32_t> sides{0};
+/// A limit for --texture-size; nothing: textures as they are.
+using TextureSide = std::optional<std::uint32_t>;
+
+/// The sides of the largest texture and of its halves, and 0, colours of vertices; only textures as they are without
+/// textures.
+std::vector<TextureSide> texture_sides(const Scene& scene) {
+  std::vector<TextureSide> sides{std::nullopt};
   std::uint32_t largest = 0;
   for (const Texture& texture : scene.textures) {
     largest = std::max(largest, 1U << std::max(texture.log2_width, texture.log2_height));
   }
-  for (std::uint32_t side = largest / 2; side >= kSmallestSide; side /= 2) sides.push_back(side);
+  for (std::uint32_t side = largest / 2; side >= kSmallestSide; side /= 2) sides.emplace_back(side);
+  if (largest > 0) sides.emplace_back(0);
   return sides;
 }
 
 std::string texture_words(const BakeArguments& arguments) {
   const std::string side = arguments.camera.reduction.texture_size.value_or("whole");
+  if (side == "0") return "none: vertices";
   if (arguments.textures == "rgb565") return side;
   return side + (arguments.textures == "palette8" ? ", 256 colours" : ", 16 colours");
 }
@@ -167,7 +173,7 @@ void keep_front(std::vector<FitChoice>& choices) {
 Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, const FitLimits& limits,
                          const std::function<void(std::uint32_t done, std::uint32_t all)>& progress) {
   FitSearch found;
-  std::vector<std::uint32_t> sides{0};
+  std::vector<TextureSide> sides{std::nullopt};
   std::vector<const char*> shares{""};
   std::vector<const char*> palettes{"rgb565"};
   std::vector<bool> lods{base.camera.reduction.lod};
@@ -178,11 +184,12 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
     for (std::size_t t = 0; t < sides.size(); ++t) {
       std::unique_ptr<Stage> stage;
       for (std::size_t p = 0; p < palettes.size() * views.size() * lods.size(); ++p) {
+        if (sides[t] == 0U && p % palettes.size() > 0) continue;  // palettes are for textures
         BakeArguments arguments = base;
         arguments.plan.view = views[p / palettes.size() % views.size()];
         arguments.camera.reduction.lod = lods[p / palettes.size() / views.size()];
         if (*shares[s] != '\0') arguments.camera.reduction.triangles = shares[s];
-        if (sides[t] != 0) arguments.camera.reduction.texture_size = std::to_string(sides[t]);
+        if (sides[t]) arguments.camera.reduction.texture_size = std::to_string(*sides[t]);
         arguments.textures = palettes[p % palettes.size()];
         std::optional<FitChoice> choice;
         // The memory does not limit the first choice, because the others are compared with it.
@@ -218,8 +225,9 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
           }
         }
         const Result<Done> done = bake(arguments, &trial);
-        progress(++found.tried, static_cast<std::uint32_t>(shares.size() * sides.size() * palettes.size() *
-                                                           views.size() * lods.size()));
+        const std::size_t folded = sides.size() > 1 ? palettes.size() - 1 : 0;
+        progress(++found.tried, static_cast<std::uint32_t>(shares.size() * views.size() * lods.size() *
+                                                           (sides.size() * palettes.size() - folded)));
         if (!done) {
           if (done.failure().status != ExitStatus::budget) return done.failure();
           refused = done.failure();

@@ -8,6 +8,7 @@
 
 #include "image/resample.hpp"
 #include "import/emission.hpp"
+#include "import/folded_textures.hpp"
 #include "import/metals.hpp"
 #include "import/model.hpp"
 #include "import/quantise.hpp"
@@ -95,7 +96,9 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
   }
   if (back_faces == BackFaces::lit_alike) split_sides(source, outsides);
   if (source.meshes.size() > kMaxMeshes) return named(kTooManyMeshes);
-  const Shrunk shrunk = fit_textures(source, reduction.texture_side);
+  Shrunk shrunk = reduction.fold_textures ? fold_textures(source) : Shrunk{};
+  const Shrunk smaller = fit_textures(source, reduction.texture_side);
+  if (!reduction.fold_textures) shrunk = smaller;
 
   tell_step(fmt::format("merging the vertices of '{}'", file));
   std::vector<MeshTraits> traits;
@@ -130,7 +133,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
   Result<Model> model = quantise(source, traits);
   if (!model) return named(model.failure().message);
   model->reduced = reduced;
-  if (reduction.texture_side > 0) model->shrunk = shrunk;
+  if (reduction.texture_side > 0 || reduction.fold_textures) model->shrunk = shrunk;
   return model;
 }
 

@@ -12,6 +12,7 @@ namespace zstrip::sim {
 /// The limits that the user sets for a model.
 struct Reduction {
   std::uint32_t texture_side = 0;  ///< texels of a texture's longer side, a power of two; 0: unlimited
+  bool fold_textures = false;      ///< vertices get the colours of opaque textures, which are removed
   std::uint64_t triangles = 0;     ///< of all meshes together; 0: unlimited
   double triangle_share = 1;       ///< of the file's triangles, above 0
 

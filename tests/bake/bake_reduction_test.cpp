@@ -27,6 +27,44 @@ TEST_F(Reduction, TexturesAreShrunkToTheSizeAskedForAndLookAlike) {
   EXPECT_EQ(zstrip({"plan", model, "--texture-size", "64", "--triangles", "50%"}).status, 0);
 }
 
+TEST_F(Reduction, TexturesBecomeColoursOfVertices) {
+  texture("colours.tga", 256);
+  const std::string model = textured_sphere(24, 12);
+  const Json whole = report({"bake", model, "-o", "whole.zsc"});
+  const Json folded = report({"bake", model, "-o", "folded.zsc", "--texture-size", "0"});
+  EXPECT_EQ(folded.at("flash_bytes").at("textures"), 0);
+  EXPECT_LT(folded.at("flash_bytes").at("total"), 16 * 1024);
+  const Json shrunk = {{"textures", 1}, {"texels_before", 256 * 256}, {"texels", 0}};
+  EXPECT_EQ(folded.at("shrunk"), shrunk);
+  const auto is_drawn = [](const Json& record, const char* effect) {
+    return record.at("effects").dump().find(std::string("\"") + effect + '"') != std::string::npos;
+  };
+  EXPECT_TRUE(is_drawn(whole, "textures"));
+  EXPECT_FALSE(is_drawn(folded, "textures"));
+  EXPECT_LT(mean_difference(picture(model, {}), picture(model, {"--texture-size", "0"})), 2.5) << "the seam, too";
+}
+
+/// The same two colours by a texture, of which each face shows one texel, and by materials.
+TEST_F(Reduction, AFlatTextureLosesNothing) {
+  std::string bytes(18, '\0');
+  bytes[2] = 2;
+  bytes[12] = 2;
+  bytes[14] = 1;
+  bytes[16] = 24;
+  bytes += {'\x20', '\x40', '\xE0', '\xE0', '\x40', '\x20'};
+  file("two.tga", bytes);
+  const std::string shape = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0 0 1\n";
+  file("t.mtl", "newmtl a\nKd 1 1 1\nmap_Kd two.tga\n");
+  const std::string textured = file("t.obj", "mtllib t.mtl\n" + shape +
+                                                 "vt 0.25 0.5\nvt 0.75 0.5\nusemtl a\nf 1/1 2/1 5/1\nf 3/1 4/1 5/1\n"
+                                                 "f 2/2 3/2 5/2\nf 4/2 1/2 5/2\n");
+  const std::vector<std::string> same{"--orbit", "4,-30,30", "--background", "101820"};
+  std::vector<std::string> folded = same;
+  folded.insert(folded.end(), {"--texture-size", "0"});
+  EXPECT_LT(mean_difference(picture(textured, same), picture(textured, folded)), 2.5) << "the rounding of texels";
+  EXPECT_GT(mean_difference(picture(textured, same), picture(textured, {"--orbit", "4,-30,30"})), 5) << "it is seen";
+}
+
 TEST_F(Reduction, RemovedTrianglesOpenNoCrackAtSeamsOrBetweenMaterials) {
   texture("colours.tga", 64);
   const std::string model = textured_sphere(48, 24);
@@ -80,7 +118,7 @@ TEST_F(Reduction, VertexColoursStayWhereTheyChange) {
 }
 
 TEST_F(Reduction, SizesThatNoModelCanHaveAreUsageErrors) {
-  for (const char* size : {"0", "100", "4096", "-64", "64x", ""}) {
+  for (const char* size : {"00.5", "100", "4096", "-64", "64x", ""}) {
     const Outcome outcome = zstrip({"bake", kHouseModel, "-o", "house.zsc", std::string("--texture-size=") + size});
     EXPECT_EQ(outcome.status, 2) << size;
   }

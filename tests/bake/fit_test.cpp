@@ -117,6 +117,19 @@ TEST_F(Fit, EdgesAndSamplesAreLeftOffWhereTheyDoNotFit) {
   EXPECT_TRUE(has(edges, "edges", false));
 }
 
+TEST_F(Fit, ATextureGoesWhereColoursOfVerticesLookAlike) {
+  const std::string model = sphere();
+  const Json found = fit(model, {"--html", "sheet.html"});
+  const auto at =
+      std::ranges::find_if(found.at("choices"), [](const Json& one) { return one.at("texture_size") == 0; });
+  ASSERT_NE(at, found.at("choices").end());
+  EXPECT_LT(at->at("rms"), 8);
+  EXPECT_GT(at->at("frames_per_second").at(0), found.at("choices").at(0).at("frames_per_second").at(0));
+  EXPECT_EQ(report(at->at("bake").get<std::vector<std::string>>()).at("flash_bytes").at("total"),
+            at->at("flash_bytes"));
+  EXPECT_NE(read(path("sheet.html")).find("textures none: vertices"), std::string::npos);
+}
+
 TEST_F(Fit, TheFlashOfTheBoardIsTheLimitWhereNoneIsGiven) {
   texture("colours.tga", 256);
   const std::string model = textured_sphere(24, 12);

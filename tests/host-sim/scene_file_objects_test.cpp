@@ -53,9 +53,10 @@ TEST(SceneFile, ModelsThatAreMadeSmaller) {
   const SceneFile file = parsed(model + "texture_size = 64\ntriangles = 500\n" + use);
   EXPECT_EQ(file.models[0].reduction.texture_side, 64U);
   EXPECT_EQ(file.models[0].reduction.triangles, 500U);
+  EXPECT_TRUE(parsed(model + "texture_size = 0\n" + use).models[0].reduction.fold_textures);
   EXPECT_EQ(failure(model + "texture_size = 100\n" + use),
-            "'scene.toml' line 4: [[model]]: 'texture_size' must be a power of two");
-  for (const char* wrong : {"texture_size = 0", "texture_size = 4096", "texture_size = '64'", "triangles = 0",
+            "'scene.toml' line 4: [[model]]: 'texture_size' must be 0 or a power of two");
+  for (const char* wrong : {"texture_size = -1", "texture_size = 4096", "texture_size = '64'", "triangles = 0",
                             "triangles = -1", "triangles = 1.5", "triangles = 9223372036854775807"}) {
     EXPECT_TRUE(failure(model + wrong + "\n" + use).starts_with("'scene.toml' line 4: [[model]]: 't")) << wrong;
   }
