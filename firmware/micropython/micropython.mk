@@ -1,6 +1,6 @@
 # A user C module of MicroPython: make USER_C_MODULES=FOLDER, the folder in which this one is. ZSTRIP_EFFECTS: see flags.mk.
 zstrip_folder := $(USERMOD_DIR)
-zstrip_cxx := $(CXX)
+zstrip_cxx = $(CXX)
 include $(zstrip_folder)/flags.mk
 # $(wildcard) takes no folders in folders: four levels of them.
 zstrip_levels := $(addprefix $(zstrip_folder)/cpp/,*/*.cpp */*/*.cpp */*/*/*.cpp */*/*/*/*.cpp)
