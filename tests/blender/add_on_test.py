@@ -250,6 +250,13 @@ class Processes(InFolder):
         outcome = process.Process(words).wait(asked_to_stop=lambda: os.path.exists(ready), interval=0.001)
         self.assertTrue(outcome.cancelled)
 
+    def test_what_a_process_left_behind_could_not_be_cancelled(self):
+        self.addCleanup(setattr, process, 'PATIENCE', process.PATIENCE)
+        process.PATIENCE = 0.01
+        running = process.Process([self.program('p', '(trap "" TERM; echo >&2 up; while :; do sleep 0.01; done) &\n')])
+        ended = lambda: running.progress and running._process.poll() is not None
+        self.assertTrue(running.wait(asked_to_stop=ended, interval=0.001).cancelled)
+
     def test_cancelling_what_has_ended_changes_nothing(self):
         running = process.Process([self.program('p', 'exit 4\n')])
         running.wait()

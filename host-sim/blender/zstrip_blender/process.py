@@ -79,24 +79,25 @@ class Process:
 
     @property
     def running(self):
+        """Also while a process that the command has left behind may still write."""
         return self._process is not None and (
             self._process.poll() is None or any(reader.is_alive() for reader in self._readers))
 
     def cancel(self):
         """Ends the process, and those that it started, soon. Returns at once."""
-        if self._process is None or self._cancelled.is_set():
-            return
-        if self._process.poll() is not None:
+        if self._cancelled.is_set() or not self.running:
             return
         self._cancelled.set()
         self._signal(signal.SIGTERM)
         threading.Thread(target=self._kill_later, daemon=True).start()
 
     def _kill_later(self):
-        try:
-            self._process.wait(PATIENCE)
-        except subprocess.TimeoutExpired:
-            self._signal(getattr(signal, 'SIGKILL', signal.SIGTERM))
+        deadline = time.monotonic() + PATIENCE
+        while self.running:
+            if time.monotonic() >= deadline:
+                self._signal(getattr(signal, 'SIGKILL', signal.SIGTERM))
+                return
+            time.sleep(0.01)
 
     def _signal(self, number):
         try:
