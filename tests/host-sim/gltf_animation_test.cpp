@@ -90,6 +90,33 @@ TEST_F(GltfAnimation, KeysThatAreLeftOutAreSaid) {
   EXPECT_TRUE(opened(swinging("translation", "LINEAR", {0, 0, 0, 0, 4, 0}))->warnings().empty());
 }
 
+TEST_F(GltfAnimation, PosesBesideMotionsWereLost) {
+  std::string content = swinging("translation", "LINEAR", {0, 5, 0, 0, 7, 0});
+  const std::string_view animations = "\"animations\":[", views = "],\"bufferViews\"";
+  content.insert(content.find(views), R"(,{"bufferView":2,"componentType":5126,"count":1,"type":"SCALAR"},)"
+                                      R"({"bufferView":3,"componentType":5126,"count":1,"type":"VEC3"})");
+  content.insert(content.find(animations) + animations.size(),
+                 R"({"name":"stand","channels":[{"sampler":0,"target":{"node":1,"path":"translation"}}],)"
+                 R"("samplers":[{"input":4,"output":5}]},)");
+  const auto shown = opened(content), chosen = opened(content, "stand");
+  ASSERT_TRUE(shown && chosen);
+  EXPECT_NEAR(hand(*shown, 4)[1], 6, 1e-2) << "the first animation that moves";
+  EXPECT_NEAR(hand(*chosen, 4)[1], 5, 1e-2);
+}
+
+TEST_F(GltfAnimation, EventsThatNeverComeWereSilent) {
+  std::string content = swinging("translation", "LINEAR", {0, 0, 0, 0, 4, 0});
+  const std::string_view name = "\"name\":\"swing\"";
+  content.insert(content.find(name) + name.size(),
+                 R"(,"extras":{"events":[0,1, 0.5,2, 0.5,3, 2,4, -1,5, 1,70000, 1]})");
+  const auto stage = opened(content);
+  ASSERT_TRUE(stage);
+  ASSERT_EQ(stage->events().size(), 2U);
+  EXPECT_EQ(stage->events()[1].number, 2);
+  ASSERT_EQ(stage->warnings().size(), 1U);
+  EXPECT_EQ(stage->warnings()[0].substr(0, 39), "animation 'swing': 5 events left out: t");
+}
+
 TEST_F(GltfAnimation, OfNodesAndInterpolationsThatDoNotExistIsDamaged) {
   const auto reason = [this](const std::string& content) {
     const auto stage = open_stage(file("model.gltf", content), {}, {}, {320, 240}, 8);

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "import/gltf/document.hpp"
 #include "motion/fitted_animation.hpp"
@@ -158,15 +161,19 @@ Result<std::vector<Curve<GltfMorphs::Weight>>> read_weights(const GltfJson& samp
 }
 
 /// Reads "extras": {"events": [seconds, number, seconds, number, ...]}, which Blender writes of an action's custom
-/// property.
-std::vector<AnimationEvent> read_events(const GltfJson& animation) {
+/// property. Adds to `left_out` the events that no program can get.
+std::vector<AnimationEvent> read_events(const GltfJson& animation, double duration, std::uint64_t& left_out) {
   std::vector<AnimationEvent> events;
-  const GltfJson& extras = member(animation, "extras");
-  for (std::size_t i = 0; i + 1 < count_of(extras, "events"); i += 2) {
-    const double seconds = to_number(element(member(extras, "events"), i), -1);
-    const double number = to_number(element(member(extras, "events"), i + 1), -1);
-    if (seconds < 0 || number < 0 || number > 0xFFFF) continue;
-    events.push_back({seconds, static_cast<std::uint16_t>(number)});
+  std::set<double> milliseconds;
+  const GltfJson& all = member(member(animation, "extras"), "events");
+  for (std::size_t i = 0; all.is_array() && i < all.size(); i += 2) {
+    const double seconds = to_number(element(all, i), -1), number = to_number(element(all, i + 1), -1);
+    const bool in_time = seconds >= 0 && std::round(seconds * 1000) < std::round(duration * 1000);
+    if (in_time && number >= 0 && number <= 0xFFFF && milliseconds.insert(std::round(seconds * 1000)).second) {
+      events.push_back({seconds, static_cast<std::uint16_t>(number)});
+    } else {
+      ++left_out;
+    }
   }
   return events;
 }
@@ -175,7 +182,6 @@ Result<NodeAnimation> read_animation(const GltfJson& from, GltfAccessors& access
                                      GltfMorphs& morphs, std::uint64_t& left_out) {
   NodeAnimation animation;
   animation.name = text_in(from, "name");
-  animation.events = read_events(from);
   std::map<std::size_t, NodeCurves> moved;
   for (std::size_t k = 0; k < count_of(from, "channels"); ++k) {
     const GltfJson& channel = element(member(from, "channels"), k);
@@ -232,11 +238,11 @@ std::map<std::size_t, Vector> nodes_of_animations(const GltfJson& json, GltfAcce
 
 Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes,
                                   GltfMorphs& morphs, SourceModel& model) {
-  std::optional<NodeAnimation> pose;  // an animation of length 0; shown if there is no other one
+  std::vector<NodeAnimation> poses;  // animations of length 0; the first of the others is shown without a name
   for (std::size_t i = 0; i < count_of(json, "animations"); ++i) {
     std::uint64_t left_out = 0;
-    Result<NodeAnimation> read =
-        read_animation(element(member(json, "animations"), i), accessors, nodes, morphs, left_out);
+    const GltfJson& animation = element(member(json, "animations"), i);
+    Result<NodeAnimation> read = read_animation(animation, accessors, nodes, morphs, left_out);
     if (!read) return read.failure();
     if (left_out > 0) {
       model.warnings.push_back(fmt::format("animation '{}': {} left out, no number or not later than the one before",
@@ -245,22 +251,24 @@ Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors
     const std::set<double> times = key_times(*read);
     if (times.empty()) continue;
     nodes.set_rest_scale(*read);
-    read->duration = *times.rbegin();
-    if (!(read->duration > 0)) {
-      if (!pose) pose = std::move(*read);
-      continue;
-    }
+    const bool is_pose = !(*times.rbegin() > 0);
+    read->duration = is_pose ? kPoseDuration : *times.rbegin();
     if (read->duration > kMaxAnimation) {
       model.warnings.push_back(
           fmt::format("animation '{}' left out: it is longer than an hour", printable(read->name)));
       continue;
     }
-    model.nodes.animations.push_back(std::move(*read));
+    std::uint64_t events_left_out = 0;
+    read->events = read_events(animation, read->duration, events_left_out);
+    if (events_left_out > 0) {
+      model.warnings.push_back(fmt::format(
+          "animation '{}': {} left out: the time is not before its end, the number not 0 to 65535, or another event "
+          "has the same millisecond",
+          printable(read->name), counted(events_left_out, "event")));
+    }
+    (is_pose ? poses : model.nodes.animations).push_back(std::move(*read));
   }
-  if (pose && model.nodes.animations.empty()) {
-    pose->duration = kPoseDuration;
-    model.nodes.animations.push_back(std::move(*pose));
-  }
+  std::ranges::move(poses, std::back_inserter(model.nodes.animations));
   morphs.finish(model);
   return Done{};
 }
