@@ -125,7 +125,7 @@ struct RowsLeft : TriangleRows {
   /// Returns false if the triangle must be left to its spans.
   [[gnu::noinline]] bool begin(const MediumTriangle& t) {
     bound(t);
-    if (right - anchor_x > kPerspectiveRun || !lies_in(t.target.area)) return false;
+    if (right - left > kPerspectiveRun || !lies_in(t.target.area)) return false;
     count = 0;
     if (find_rows(t)) begin_first(edges, t), count = middle - row;
     return true;
