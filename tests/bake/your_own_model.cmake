@@ -19,7 +19,7 @@ add_test(NAME BakeBoard.Build COMMAND ${CMAKE_CTEST_COMMAND}
   --build-generator ${CMAKE_GENERATOR} --build-noclean --build-target zstrip_lm3s6965evb_scene
   --build-options -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/cmake/toolchains/arm-none-eabi.cmake
     -DZSTRIP_CPU=cortex-m3 -DCMAKE_BUILD_TYPE=Release -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF
-    -DZSTRIP_COMPILE_TOGETHER=core  # the programs for boards have it compiled source by source
+    -DZSTRIP_COMPILE_TOGETHER=whole-core  # the programs for boards have it compiled source by source
     -DZSTRIP_FIRMWARE_BINARIES=${folder} -DZSTRIP_SCENE=${folder}/scene.hpp)
 zstrip_test_needs(BakeBoard.Bake zstrip)
 zstrip_test_needs(BakeBoard.Build zstrip)

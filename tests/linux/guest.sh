@@ -184,7 +184,7 @@ build_panel() { # ARCHITECTURE TOOLCHAIN KERNEL: FOLDER/ARCHITECTURE/panel
   local build=(cmake -S "$root" -B "$1/build" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/cmake/toolchains/$2.cmake"
     "-DCMAKE_FIND_ROOT_PATH=$folder/$1/development" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0
     -DCMAKE_EXE_LINKER_FLAGS=-static -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF -DZSTRIP_FIRMWARE=OFF -DZSTRIP_INSTALL=OFF
-    -DZSTRIP_LINUX=ON -DZSTRIP_COMPILE_TOGETHER=core -DZSTRIP_DEPTH_PIPELINES=OFF)
+    -DZSTRIP_LINUX=ON "-DZSTRIP_COMPILE_TOGETHER=whole-core;host-sim" -DZSTRIP_DEPTH_PIPELINES=OFF)
   say "building zstrip-panel for $1"
   { "${build[@]}" && patiently nice ninja -C "$1/build" zstrip-panel; } >"$1/build.log" 2>&1 ||
     { tail -n 40 "$1/build.log"; exit 1; }

@@ -9,14 +9,14 @@
 namespace zstrip::detail {
 namespace {
 
-using Place = std::int64_t ClipVertex::*;
+using Component = std::int64_t ClipVertex::*;
 using Varying = std::int32_t ClipVertex::*;
-constexpr Place kPlaces[] = {&ClipVertex::x, &ClipVertex::y, &ClipVertex::w};
+constexpr Component kPlaces[] = {&ClipVertex::x, &ClipVertex::y, &ClipVertex::w};
 constexpr Varying kVaryings[] = {&ClipVertex::r, &ClipVertex::g, &ClipVertex::b, &ClipVertex::u, &ClipVertex::v};
 
 /// A plane of the clip volume. A guard band's plane ignores fraction bits to keep the distance below 2^58.
-struct Plane {
-  Place along;
+struct CutPlane {
+  Component along;
   std::int64_t scale, w, d;  ///< signed distance scale * along + w * w + d, >= 0 inside
   int bits;                  ///< fraction bits of the vertex that are ignored
 
@@ -60,7 +60,7 @@ ClipVertex crossing(const ClipVertex& inner, const ClipVertex& outer, std::int64
   const Fraction fraction(static_cast<std::uint64_t>(inside),
                           static_cast<std::uint64_t>(inside) - static_cast<std::uint64_t>(outside));
   ClipVertex made;
-  for (const Place place : kPlaces) {
+  for (const Component place : kPlaces) {
     made.*place = inner.*place + fraction.of(outer.*place - inner.*place);
   }
   for (const Varying varying : kVaryings) {
@@ -75,7 +75,7 @@ ClipVertex crossing(const ClipVertex& inner, const ClipVertex& outer, std::int64
 /// convex polygon grows by one vertex at most; a polygon that rounding made concave may grow by more. The memory is
 /// large enough: an edge produces two vertices at most, the result has kMaxPolygon at most, and the result ends before
 /// the vertices that are still to be read.
-void clip_against(ClipPolygon& polygon, const Plane& plane) {
+void clip_against(ClipPolygon& polygon, const CutPlane& plane) {
   if (polygon.count == 0) return;
   // Most planes cut nothing, and then nothing is copied.
   std::int64_t least = 0;
@@ -98,7 +98,7 @@ void clip_against(ClipPolygon& polygon, const Plane& plane) {
 }
 
 /// Clips against two opposite planes, `plane` and the one with -scale and `far`.
-void clip_between(ClipPolygon& polygon, Plane plane, std::int64_t far) {
+void clip_between(ClipPolygon& polygon, CutPlane plane, std::int64_t far) {
   clip_against(polygon, plane);
   plane.scale = -plane.scale, plane.d = far;
   clip_against(polygon, plane);
@@ -117,7 +117,7 @@ void clip_depth(ClipPolygon& polygon, const CompiledInstance& instance) {
 }
 
 /// |along| / w * 2^(30 - shift) <= 2^kGuardBits  <=>  |along| * 2^(30 - shift) <= w * 2^kGuardBits; 0 <= shift <= 31.
-void clip_guard_band(ClipPolygon& polygon, Place along, std::int32_t shift) {
+void clip_guard_band(ClipPolygon& polygon, Component along, std::int32_t shift) {
   const int exponent = kGuardBits - 30 + shift;
   // w * 2^exponent is below 2^(46 - bits + exponent): 2^57.
   const int bits = std::max(0, exponent - 11);
@@ -136,7 +136,7 @@ void clip_perspective(ClipPolygon& polygon, const CompiledInstance& instance) {
 void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance) {
   clip_depth(polygon, instance);
   // |x| * 2^-shift <= 2^kGuardBits.
-  const auto guard = [&polygon](Place along, std::int32_t shift) {
+  const auto guard = [&polygon](Component along, std::int32_t shift) {
     const std::int64_t limit = std::int64_t{1} << (kGuardBits + shift);
     clip_between(polygon, {along, 1, 0, limit, kClipBits}, limit);
   };

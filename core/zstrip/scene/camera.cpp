@@ -32,7 +32,7 @@ Status look_at(Camera& camera, const Vec3& eye, const Vec3& target, const Vec3& 
   const Wide3 backwards{std::int64_t{eye.x} - target.x, std::int64_t{eye.y} - target.y, std::int64_t{eye.z} - target.z};
   if (backwards.x == 0 && backwards.y == 0 && backwards.z == 0) return {.error = Error::camera};
   const Vec3 back = unit(backwards);
-  const Vec3 hint = up == Vec3{0, 0, 0} ? Vec3{0, 1 << 30, 0} : unit({up.x, up.y, up.z});
+  const Vec3 hint = up == Vec3{0, 0, 0} ? Vec3{0, 1 << 30, 0} : unit(Wide3{up.x, up.y, up.z});
   Wide3 sideways = cross(hint, back);
   if (nearly_zero(sideways)) sideways = cross({0, 0, -(1 << 30)}, back);
   if (nearly_zero(sideways)) sideways = cross({0, 1 << 30, 0}, back);

@@ -15,7 +15,7 @@ constexpr std::int32_t kUnbounded = INT32_MAX;  // the shift of a plane that no 
 
 int bits_beyond(std::uint64_t value, int bits) { return std::max(0, 64 - std::countl_zero(value) - bits); }
 
-std::uint64_t magnitude(std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? -value : value); }
+std::uint64_t absolute(std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? -value : value); }
 
 /// Returns value * 2^exponent, for an exponent of -1 .. 30.
 std::int64_t scaled(std::int32_t value, int exponent) {
@@ -49,9 +49,9 @@ PixelPlanes::PixelPlanes(const CompiledInstance& instance, const Mesh& mesh, con
 // Not inlined, because there are four calls.
 [[gnu::noinline]] PixelPlanes::Plane PixelPlanes::plane_of(const LinearForm& form, int exponent, std::int32_t at,
                                                            const std::uint64_t (&ratios)[3]) const {
-  const std::uint64_t steepness[3] = {magnitude(scaled(form.x, exponent) - std::int64_t{at} * w_.x),
-                                      magnitude(scaled(form.y, exponent) - std::int64_t{at} * w_.y),
-                                      magnitude(scaled(form.z, exponent) - std::int64_t{at} * w_.z)};
+  const std::uint64_t steepness[3] = {absolute(scaled(form.x, exponent) - std::int64_t{at} * w_.x),
+                                      absolute(scaled(form.y, exponent) - std::int64_t{at} * w_.y),
+                                      absolute(scaled(form.z, exponent) - std::int64_t{at} * w_.z)};
   // The length of the gradient where the sphere is round, rounded up: 24 bits of each steepness, 15 of each product.
   const int first = bits_beyond(std::max(std::max(steepness[0], steepness[1]), steepness[2]), 24);
   std::uint64_t gradient[3];

@@ -18,11 +18,11 @@ constexpr std::int32_t kNear = kScale;
 constexpr std::uint32_t kMaxStrays = 8;
 
 /// The longest run of cells from one cell on, in equal steps, that can lie in one plane.
-struct Run {
+struct PlanarRun {
   std::uint32_t length = 1;
   std::int32_t slope = 0;  ///< for one step, times kScale
 
-  Run(const std::uint16_t* cell, std::ptrdiff_t step, std::uint32_t most) {
+  PlanarRun(const std::uint16_t* cell, std::ptrdiff_t step, std::uint32_t most) {
     const std::int32_t first = *cell;
     std::int32_t least = INT32_MIN, greatest = INT32_MAX;
     for (; length < most; ++length) {
@@ -47,7 +47,7 @@ struct Guess {
     const std::uint32_t x = right ? tile.width - 1 : 0, y = bottom ? tile.height - 1 : 0;
     const std::uint16_t* const corner = tile.cells.data() + y * kTileSide + x;
     const auto down = static_cast<std::ptrdiff_t>(kTileSide);
-    const Run row(corner, right ? -1 : 1, tile.width), column(corner, bottom ? -down : down, tile.height);
+    const PlanarRun row(corner, right ? -1 : 1, tile.width), column(corner, bottom ? -down : down, tile.height);
     area = row.length * column.length;
     corner_x = x;
     corner_y = y;

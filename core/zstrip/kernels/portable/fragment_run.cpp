@@ -70,11 +70,11 @@ struct Pair {
 };
 
 /// A channel times light of 8.16, 8.8 with half a unit more.
-constexpr std::uint32_t product(std::uint32_t channel, std::uint32_t light) {
+constexpr std::uint32_t channel_product(std::uint32_t channel, std::uint32_t light) {
   return channel * light_factor(light) + 128;
 }
 /// The product rounded to nearest.
-constexpr std::uint32_t lit(std::uint32_t channel, std::uint32_t light) { return product(channel, light) >> 8; }
+constexpr std::uint32_t lit(std::uint32_t channel, std::uint32_t light) { return channel_product(channel, light) >> 8; }
 
 /// Byte `index` of a sequence of words whose lower byte is the first.
 std::uint32_t byte_at(const std::uint16_t* words, std::uint32_t index) {
@@ -267,8 +267,8 @@ void write_lit(const RunLight& light, const std::uint32_t* colours, std::uint16_
   std::uint32_t r = light.r, g = light.g, b = light.b;
   for (std::int32_t i = 0; i < count; ++i) {
     const std::uint32_t colour = colours[i];
-    const std::uint32_t red = product(red_of(colour), r), green = product(green_of(colour), g),
-                        blue = product(blue_of(colour), b);
+    const std::uint32_t red = channel_product(red_of(colour), r), green = channel_product(green_of(colour), g),
+                        blue = channel_product(blue_of(colour), b);
     pixels[i] = static_cast<std::uint16_t>((red >> 11 << 11) | (green >> 10 << 5) | blue >> 11);
     r += light.step_r, g += light.step_g, b += light.step_b;
   }
