@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # arduino_builder.sh ROOT SCRATCH [ZSTRIP]: arduino-builder takes the package in and builds sketches of it, and that of
 # `zstrip bake`, for a board package of the tests' own, for Cortex-M0+: the first one and the baked one; with ZSTRIP_LONG all
-# that need no library of displays. With C++17 one error says what to do.
+# that need no library of displays. Without it they are built without optimisation. With C++17 one error says what to do.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 here=$root/tests/package
@@ -30,9 +30,11 @@ build() {
   arduino-builder -compile -hardware /usr/share/arduino-builder -hardware "$here/arduino/hardware" \
     -tools /usr/share/arduino-builder -libraries "$scratch/libraries" -fqbn zstrip:test:m0plus \
     -build-path "$scratch/build" "-prefs=build.keep=$here/keep_object.sh" "-prefs=build.kept=$scratch/kept" \
-    -warnings all "$@" "$scratch/libraries/zstrip/examples/$sketch/$sketch.ino" >"$scratch/said" 2>&1
+    -prefs=build.optimisation=$optimisation -warnings all "$@" "$scratch/libraries/zstrip/examples/$sketch/$sketch.ino" >"$scratch/said" 2>&1
 }
 
+optimisation=-O0
+if [ -n "${ZSTRIP_LONG-}" ]; then optimisation=-Os; fi
 failed=0
 first=HelloPyramid
 read -r -d '' -a others < <(cd "$scratch/libraries/zstrip/examples" && grep -L 'adapters::' */*.ino | sed "s|/.*||; /^$first$/d") || true

@@ -34,18 +34,15 @@ step effects/memory.hpp 's/\bedges::Effect>/edges::Effect, negative::Effect>/'
 step effects/stages.hpp 's|^#include "zstrip/effects/outlines/|#include "zstrip/effects/negative/negative_stage.hpp"\n&|'
 step effects/stages.hpp 's/\bdithering::Stage>/negative::Stage, dithering::Stage>/'
 
-# A folder's sources in one. Pipelines of programs that learn the effects at run time are not looked at.
+# All sources in one. Pipelines of programs that learn the effects at run time are not looked at.
 export copy compiler
 compile() {
-  find "$1" -maxdepth 1 -name '*.cpp' ! -name 'any_p*.cpp' ! -name '*rows_of_*.cpp' | sed 's/.*/#include "&"/' |
+  find "$1" -name '*.cpp' ! -name 'any_p*.cpp' ! -name '*rows_of_*.cpp' | sort | sed 's/.*/#include "&"/' |
     "$compiler" -std=c++20 -O0 -Wall -Wextra -Werror -Wno-missing-field-initializers -I"$copy/core" \
       -o "$copy/$(tr / _ <<<"$1").o" -c -x c++ -
 }
 export -f compile
-{
-  find "$copy/core" -name '*.cpp' -printf '%h\n' | sort -u
-  echo "$here"
-} | xargs -P 2 -I{} bash -c 'set -o pipefail; compile {}'
+printf '%s\n' "$copy/core" "$here" | xargs -P 2 -I{} bash -c 'set -o pipefail; compile {}'
 "$compiler" -o "$copy/program" "$copy"/*.o
 status=0
 "$copy/program" || status=$?

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # freestanding.sh ROOT [--few] COMPILER FLAGS...: compiles core, hal and player for a freestanding target and reads the
 # objects: they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The
-# sources of a folder are compiled together. The pipelines that are for hosts alone are left out, but with ZSTRIP_LONG and
+# sources of each are compiled together. The pipelines that are for hosts alone are left out, but with ZSTRIP_LONG and
 # without --few.
 # freestanding.sh ROOT --built BUILD COMPILER: reads the libraries of a build for boards instead.
 set -euo pipefail
@@ -24,12 +24,10 @@ trap 'rm -rf "$objects"' EXIT
 
 # The headers' templates are instantiated by the .cpp files. Without optimisation, which is quicker and folds nothing away:
 # what the sources call, the objects call. Firmware is linked without a library anyway.
-find "$root/core/zstrip" "$root/hal/zstrip_hal" "$root/firmware/player/zstrip_player" -name '*.cpp' -printf '%h\n' |
-  sort -u >"$objects/folders"
 compile() {
   local folder=$1 included
   shift
-  included=$(printf '#include "%s"\n' "$folder"/*.cpp | grep -vE "/(no_rows_of_[a-z]*${few:+|any_p[a-z]*|rows_of_[a-z_]*})\.cpp\"")
+  included=$(find "$folder" -name '*.cpp' -printf '#include "%p"\n' | sort | grep -vE "/(no_rows_of_[a-z]*${few:+|any_p[a-z]*|rows_of_[a-z_]*})\.cpp\"")
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
     -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" \
     -o "$objects/$(tr / _ <<<"${folder#"$root"/}").o" -c -x c++ - <<<"$included"
@@ -41,7 +39,8 @@ if [ -n "$built" ]; then
   player=$built/firmware/player/libzstrip_player.a  # some boards have no program with it
   if [ -e "$player" ]; then read_from+=("$player"); fi
 else
-  xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@" <"$objects/folders"
+  printf '%s\n' "$root"/{core/zstrip,hal/zstrip_hal,firmware/player/zstrip_player} |
+    xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@"
   read_from=("$objects"/*.o)
 fi
 

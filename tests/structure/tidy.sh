@@ -19,15 +19,14 @@ trap 'rm -rf "$work"' EXIT
 cp "$root/.clang-tidy" "$work"
 
 # Nearly all of the time goes to the headers of libraries. So sources are looked at together: those that the build compiles
-# as one in its order, others of one folder and program in groups of eight. Out: N.cpp and N.command.
+# as one in its order, others of one program. Out: N.cpp and N.command.
 folders=("$root"/{core,hal,host-sim/report,host-sim/text}) left_out='/rows_of_(counts|depth|methods|triangles)\.cpp	'
 if [ -n "${ZSTRIP_LONG-}" ]; then folders=("$root"/{core,hal,host-sim}) left_out='^$'; fi
-source_commands "$build" "${folders[@]}" | grep -vE "$left_out" | sed -E 's/ -O[0-3s]( |\t)/\1/' |
+source_commands "$build" "${folders[@]}" | grep -vE "$left_out" | sed -E 's/ -O[0-3s]( |\t)/\1/; s/ -fpch-preprocess//; s/ -Winvalid-pch -include [^ ]*\/cmake_pch\.hxx//' |
   sort -t $'\t' -s -r -k 3,3 |
   awk -F '\t' -v work="$work" '
-    { folder = $2; sub("/[^/]*$", "", folder); alike = $3 != "" ? $3 : $1 "\t" folder
-      if (!(alike in group) || ($3 == "" && members[group[alike]] == 8)) group[alike] = ++groups
-      ++members[group[alike]]
+    { alike = $3 != "" ? $3 : $1
+      if (!(alike in group)) group[alike] = ++groups
       printf "#include \"%s\"\n", $2 >(work "/" group[alike] ".cpp")
       print $1 >(work "/" group[alike] ".command") }'
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # without_cmake.sh ROOT: the commands of docs/porting.md that build zstrip without CMake, with the program of
-# docs/program.md as main.cpp: what they make is whole, and draws. They are run as they are, but without ZSTRIP_LONG that
-# for a Cortex-M3 gets only the sources that no other processor compiles: that all are named the program here shows.
+# docs/program.md as main.cpp: what they make is whole, and draws. They are run as they are with ZSTRIP_LONG. Without, that
+# for a Cortex-M3 gets only the sources that no other processor compiles; the program for the PC shows that all are named,
+# and its sources are compiled as one, without optimisation.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed"; exit 77; }
@@ -21,6 +22,10 @@ block_after "tests/consumer compiles and runs this" "$root/docs/program.md" >"$s
 if [ -z "${ZSTRIP_LONG-}" ]; then
   sed -i '/^arm-/s/ -r \$sources / -r $(grep thumb <<<"$sources") /' "$scratch/commands"
   grep -qF ' -r $(grep ' "$scratch/commands" || { echo "docs/porting.md has no line for all sources of a Cortex-M3"; exit 1; }
+  echo 'printf "#include \"%s\"\n" $(sort <<<"$sources") >all.cpp' >"$scratch/join"
+  sed -i -e "/^sources=/r $scratch/join" -e '/^g++/s/ -r \$sources / -r all.cpp /' \
+    -e '/main\.cpp\|all\.cpp -o/s/\$options/& -O0/' "$scratch/commands"
+  [ "$(grep -c -- '-O0' "$scratch/commands")" -eq 3 ] || { echo "docs/porting.md has no line for all sources of a PC"; exit 1; }
 fi
 
 ln -s "$root" "$scratch/zstrip"
