@@ -1,5 +1,5 @@
-// Programs that show a baked scene with zstrip::Player: a sketch for Arduino, programs for the Raspberry
-// Pi Pico SDK and ESP-IDF, a source for CMake. All include the scene's header by the name scene.hpp.
+// Programs that show a baked scene with zstrip::Player: a sketch for Arduino, a program for the Raspberry Pi Pico SDK,
+// a source for CMake. All include the scene's header by the name scene.hpp.
 #pragma once
 
 #include <cstdint>
@@ -23,16 +23,11 @@ Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_s
 /// Checks the same for a program for the Raspberry Pi Pico SDK with an ST7789.
 Result<Done> check_for_pico_program(const BakedScene& baked, const std::string& name_space);
 
-/// Checks the same for a program for esp_lcd of ESP-IDF, which has pixels in RGB565 alone.
-Result<Done> check_for_esp_idf_program(const BakedScene& baked, const std::string& name_space);
-
 /// `name_space`: that of the header. The same scene always gives the same text.
 std::string to_sketch(const BakedScene& baked, const std::string& name_space,
                       DisplayLibrary library = DisplayLibrary::st7789);
 /// `cores`: 1 or 2 of the chip's cores draw.
 std::string to_pico_program(const BakedScene& baked, const std::string& name_space, std::uint8_t cores);
-/// The header lies in the folder above.
-std::string to_esp_idf_program(const BakedScene& baked, const std::string& name_space);
 /// `file`: its name, which is used in its CMakeLists.txt.
 std::string to_program(const BakedScene& baked, const std::string& name_space, const std::string& file);
 

@@ -132,36 +132,6 @@ target_compile_definitions(@ PRIVATE PICO_STACK_SIZE=0x1000 PICO_CORE1_STACK_SIZ
   return text;
 }
 
-std::vector<ProjectFile> esp_idf_files(const BakedScene& baked, const std::string& name_space,
-                                       const std::string& name) {
-  std::vector<ProjectFile> files;
-  files.push_back(
-      {"CMakeLists.txt",
-       fmt::format(
-           R"(# Written by `zstrip bake`. zstrip's package, the folder zstrip of its archive, goes into components/ next to this file.
-#     idf.py set-target esp32
-#     idf.py build flash
-cmake_minimum_required(VERSION 3.16)
-include($ENV{{IDF_PATH}}/tools/cmake/project.cmake)
-project({})
-)",
-           name)});
-  files.push_back(
-      {"sdkconfig.defaults", R"(# The stack of the task that draws, 4 KB of it for zstrip; and code for speed.
-CONFIG_ESP_MAIN_TASK_STACK_SIZE=8192
-CONFIG_COMPILER_OPTIMIZATION_PERF=y
-)"});
-  files.push_back({"main/CMakeLists.txt",
-                   R"(idf_component_register(SRCS main.cpp INCLUDE_DIRS . REQUIRES zstrip esp_lcd driver esp_timer)
-)"});
-  files.push_back({"main/idf_component.yml", R"(dependencies:
-  idf: ">=5.0.1"
-)"});
-  files.push_back({"main/main.cpp", to_esp_idf_program(baked, name_space)});
-  files.push_back({"main/esp_lcd.hpp", std::string(adapter_text::kEspLcd)});
-  return files;
-}
-
 }  // namespace
 
 Result<Done> check_project_name(const std::string& name) {
@@ -177,13 +147,17 @@ Result<Done> check_project_name(const std::string& name) {
 }
 
 Result<Done> check_for_project(const BakedScene& baked, const std::string& name_space, const Project& project) {
-  if (project.kind == ProjectKind::esp_idf) return check_for_esp_idf_program(baked, name_space);
+  if (project.kind == ProjectKind::esp_idf) {
+    return check_for_esp_idf_project(baked, name_space, project.esp_lcd_panel);
+  }
   return project.kind == ProjectKind::pico ? check_for_pico_program(baked, name_space)
                                            : check_for_sketch(baked, name_space, project.display);
 }
 
 std::vector<ProjectFile> project_files(const BakedScene& baked, const std::string& name_space, const Project& project) {
-  if (project.kind == ProjectKind::esp_idf) return esp_idf_files(baked, name_space, project.name);
+  if (project.kind == ProjectKind::esp_idf) {
+    return esp_idf_files(baked, name_space, project.name, project.esp_lcd_panel);
+  }
   std::vector<ProjectFile> files;
   if (project.kind == ProjectKind::pico) {
     files.push_back({"main.cpp", to_pico_program(baked, name_space, project.cores)});

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "bake/baked_scene.hpp"
+#include "bake/esp_idf_project.hpp"
 #include "bake/program_text.hpp"
+#include "bake/project_file.hpp"
 #include "result.hpp"
 
 namespace zstrip::sim {
@@ -16,13 +18,9 @@ enum class ProjectKind : std::uint8_t { arduino, platformio, pico, esp_idf };
 struct Project {
   ProjectKind kind = ProjectKind::arduino;
   DisplayLibrary display = DisplayLibrary::st7789;  ///< of sketches
+  EspLcdPanel esp_lcd_panel = EspLcdPanel::spi;     ///< of a project for ESP-IDF
   std::uint8_t cores = 1;                           ///< of a program for the Pico: 1 or 2
   std::string name;                                 ///< the folder's, which is that of its sketch or program
-};
-
-struct ProjectFile {
-  std::string name;  ///< its path in the folder
-  std::string text;
 };
 
 /// Returns ExitStatus::usage for names that Arduino or CMake do not take: other characters than letters, digits, '_',

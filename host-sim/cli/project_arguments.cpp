@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "cli/one_of.hpp"
+#include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "image/inputs.hpp"
 #include "image/write_file.hpp"
@@ -42,16 +43,15 @@ void add_project_options(CLI::App& command, ProjectArguments& arguments) {
   command
       .add_option("--project", arguments.project,
                   "The kind of program in a folder: arduino, a sketch (default); platformio, a sketch with a "
-                  "platformio.ini; pico or esp_idf, "
-                  "a program for the Raspberry Pi Pico SDK or for ESP-IDF with an ST7789")
+                  "platformio.ini; pico or esp_idf, a program for the Raspberry Pi Pico SDK or for ESP-IDF")
       ->option_text("KIND")
       ->transform(one_of({"arduino", "platformio", "pico", "esp_idf"}));
   command
       .add_option("--display", arguments.display,
-                  "The driver of the panel in a folder's sketch: st7789, zstrip's own (default); tft_espi, "
-                  "lovyangfx, m5gfx or arduino_gfx, which are libraries for Arduino")
-      ->option_text("LIBRARY")
-      ->transform(one_of({"st7789", "tft_espi", "lovyangfx", "m5gfx", "arduino_gfx"}));
+                  "The panel's driver in a folder's program: st7789 (default); tft_espi, lovyangfx, m5gfx or "
+                  "arduino_gfx, which are libraries for Arduino; rgb_panel or mipi_dsi_panel, of ESP-IDF")
+      ->option_text("DRIVER")
+      ->transform(one_of({"st7789", "tft_espi", "lovyangfx", "m5gfx", "arduino_gfx", "rgb_panel", "mipi_dsi_panel"}));
   command
       .add_option("--cores", arguments.cores, "How many cores draw in the program of --project pico: 1 (default), 2")
       ->option_text("NUMBER")
@@ -75,10 +75,18 @@ Result<Project> parse_project(const ProjectArguments& arguments, const std::stri
   if (arguments.display == "lovyangfx") project.display = DisplayLibrary::lovyangfx;
   if (arguments.display == "m5gfx") project.display = DisplayLibrary::m5gfx;
   if (arguments.display == "arduino_gfx") project.display = DisplayLibrary::arduino_gfx;
+  if (arguments.display == "rgb_panel") project.esp_lcd_panel = EspLcdPanel::rgb;
+  if (arguments.display == "mipi_dsi_panel") project.esp_lcd_panel = EspLcdPanel::mipi_dsi;
   const bool for_sdk = project.kind == ProjectKind::pico || project.kind == ProjectKind::esp_idf;
   if (for_sdk && project.display != DisplayLibrary::st7789) {
-    return Failure{ExitStatus::usage, fmt::format("--display {} is a library for Arduino; --project {} has st7789",
-                                                  *arguments.display, *arguments.project)};
+    return Failure{ExitStatus::usage,
+                   fmt::format("--display {} is a library for Arduino; --project {} has {}", *arguments.display,
+                               *arguments.project,
+                               project.kind == ProjectKind::pico ? "st7789" : "st7789, rgb_panel and mipi_dsi_panel")};
+  }
+  if (project.kind != ProjectKind::esp_idf && project.esp_lcd_panel != EspLcdPanel::spi) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--display {0} is of ESP-IDF: --project esp_idf --display {0}", *arguments.display)};
   }
   if (arguments.cores == "2") {
     if (project.kind != ProjectKind::pico) {
@@ -95,8 +103,19 @@ Result<Project> parse_project(const ProjectArguments& arguments, const std::stri
 }
 
 PlanArguments plan_arguments_for_project(PlanArguments plan, const Project& project) {
-  if (!plan.view.size) plan.view.size = "240x240";
-  if (!plan.view.format) plan.view.format = "rgb565_swapped";
+  const EspLcdPanel panel = project.esp_lcd_panel;
+  if (!plan.view.size) {
+    plan.view.size = panel == EspLcdPanel::rgb ? "480x272" : panel == EspLcdPanel::mipi_dsi ? "1024x600" : "240x240";
+  }
+  if (!plan.view.format) plan.view.format = panel == EspLcdPanel::spi ? "rgb565_swapped" : "rgb565";
+  if (panel == EspLcdPanel::rgb) {
+    const auto size = parse_size(*plan.view.size);  // parse_plan() refuses a wrong one
+    const std::uint16_t rows = size ? rgb_strip_rows(size->first, size->second) : 0;
+    if (!plan.memory.strip_rows && rows != 0) plan.memory.strip_rows = fmt::to_string(rows);
+    plan.strip_buffers = 1;  // the driver has two more
+    return plan;
+  }
+  if (panel == EspLcdPanel::mipi_dsi && !plan.memory.ram && !plan.memory.board) plan.memory.ram = "160K";
   const bool by_dma = project.kind == ProjectKind::pico || project.kind == ProjectKind::esp_idf ||
                       project.display == DisplayLibrary::tft_espi || project.display == DisplayLibrary::lovyangfx ||
                       project.display == DisplayLibrary::m5gfx;

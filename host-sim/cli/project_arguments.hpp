@@ -29,7 +29,7 @@ Result<Done> check_no_project(const ProjectArguments& arguments);
 Result<Project> parse_project(const ProjectArguments& arguments, const std::string& output);
 
 /// Sets size and format, where they are not given, to those of the usual panel, and two strip buffers where strips are
-/// sent by DMA.
+/// sent by DMA. For an RGB panel the strips are as high as its bounce buffers.
 PlanArguments plan_arguments_for_project(PlanArguments plan, const Project& project);
 
 /// Creates the folder `output`, writes the scene's header into it, and those of the project's other files that are not

@@ -1,6 +1,7 @@
 // The parts that a page does without: meshes that Draco has compressed and the workload R10k, which are refused,
-// JPEG files as output, threads, and signals: a trap ends the module, and the page says so.
+// JPEG files and whole folders as output, threads, and signals: a trap ends the module, and the page says so.
 #include "play/left_out.hpp"
+#include "bake/project_files.hpp"
 #include "image/jpeg_writer.hpp"
 #include "import/crash_guard.hpp"
 #include "import/gltf/draco_meshes.hpp"
@@ -30,6 +31,14 @@ Result<DracoMesh> decode_draco(const GltfJson&, std::span<const std::uint8_t>) {
 Result<std::vector<std::uint8_t>> write_jpeg(std::span<const std::uint8_t>, int, int) {
   return Failure{ExitStatus::usage, "a page writes no JPEG, but PNG; the command does"};
 }
+
+Result<Done> check_project_name(const std::string&) {
+  return Failure{ExitStatus::usage, "a page writes no whole folder, but a sketch and its header; the command does"};
+}
+Result<Done> check_for_project(const BakedScene&, const std::string&, const Project&) { return Done{}; }
+std::vector<ProjectFile> project_files(const BakedScene&, const std::string&, const Project&) { return {}; }
+// Only whole folders ask for these rows.
+std::uint16_t rgb_strip_rows(std::uint16_t, std::uint16_t) { return 0; }
 
 CrashGuard::CrashGuard(const std::string&, const std::string&, std::chrono::seconds, std::uint64_t) {}
 CrashGuard::~CrashGuard() = default;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# esp_idf.sh ROOT ZSTRIP FOLDER [PANEL_DRIVER]: the adapters for esp_lcd, the program of `zstrip bake --project esp_idf`, and
-# those of the package for RGB and MIPI-DSI panels compile with the headers of the real ESP-IDF in FOLDER, each for a chip that
-# runs it: as gnu++20, and as gnu++23, the newest that Debian's compilers know (release 6 has gnu++26).
+# esp_idf.sh ROOT ZSTRIP FOLDER [PANEL_DRIVER]: the adapters for esp_lcd, the programs of `zstrip bake --project esp_idf` for its
+# three kinds of panels, and those of the package for RGB and MIPI-DSI panels compile with the headers of the real ESP-IDF in
+# FOLDER, each for a chip that runs it: as gnu++20, and as gnu++23, the newest that Debian's compilers know (release 6 has gnu++26).
 # PANEL_DRIVER: the folder of the component esp_lcd_ek79007; without it a stand-in declares its functions.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
@@ -54,13 +54,17 @@ compiles() {
 }
 package=$root/firmware/package/esp_idf
 
-"$zstrip" bake teapot -o "$scratch/teapot/" --project esp_idf --quiet
+for panel in st7789 rgb_panel mipi_dsi_panel; do
+  "$zstrip" bake teapot -o "$scratch/$panel/" --project esp_idf --display $panel --quiet
+done
 configure esp32c3 riscv
-compiles "the program of bake" "$scratch/teapot/main/main.cpp" riscv64-unknown-elf-g++ -march=rv32imac -mabi=ilp32
+compiles "the program of bake" "$scratch/st7789/main/main.cpp" riscv64-unknown-elf-g++ -march=rv32imac -mabi=ilp32
 
 # That of an ESP32-S3 differs from Debian's Xtensa in registers, which syntax does not show.
 configure esp32s3 xtensa
-compiles "the program for an RGB panel" "$package/rgb_panel/main/main.cpp" xtensa-lx106-elf-g++
+for folder in "$package" "$scratch"; do
+  compiles "the program for an RGB panel in $folder" "$folder/rgb_panel/main/main.cpp" xtensa-lx106-elf-g++
+done
 
 if [ ! -f "$components/esp_lcd/dsi/include/esp_lcd_mipi_dsi.h" ]; then
   echo "this ESP-IDF has no MIPI-DSI: the program for its panels is not compiled"
@@ -73,5 +77,7 @@ if [ -z "$driver" ]; then
   cp "$root/tests/adapters/declarations/esp_lcd_ek79007.h" "$driver"
 fi
 include+=(-isystem "$driver")
-compiles "the program for a MIPI-DSI panel" "$package/mipi_dsi_panel/main/main.cpp" \
-  riscv64-unknown-elf-g++ -march=rv32imafc -mabi=ilp32f
+for folder in "$package" "$scratch"; do
+  compiles "the program for a MIPI-DSI panel in $folder" "$folder/mipi_dsi_panel/main/main.cpp" \
+    riscv64-unknown-elf-g++ -march=rv32imafc -mabi=ilp32f
+done

@@ -223,6 +223,17 @@ TEST_F(Bake, AFolderIsAWholeProgramAndKeepsWhatWasChanged) {
   has("esp/CMakeLists.txt", "project(esp)");
   has("esp/main/main.cpp", "esp_lcd_panel_mirror(glass, true, false);\n  esp_lcd_panel_set_gap(glass, 40, 53);\n");
   has("esp/main/esp_lcd.hpp", "class EspLcd");
+  EXPECT_EQ(bake_into("rgb/", {"--project", "esp_idf", "--display", "rgb_panel", "--size", "800x480"}), "");
+  has("rgb/scene.hpp", ".strip_rows = 10,");
+  has("rgb/main/main.cpp", "adapters::EspLcdRgb panel(");
+  has("rgb/main/glass.hpp", "constexpr unsigned kHsyncPulse");
+  has("rgb/main/esp_lcd_rgb.hpp", "class EspLcdRgb");
+  has("rgb/CMakeLists.txt", "idf.py set-target esp32s3");
+  EXPECT_EQ(bake_into("dsi/", {"--project", "esp_idf", "--display", "mipi_dsi_panel"}), "");
+  has("dsi/scene.hpp", "1024, 600, zstrip::PixelFormat::rgb565}");
+  has("dsi/main/esp_lcd_dsi.hpp", "class EspLcdDsi");
+  has("dsi/main/idf_component.yml", "espressif/esp_lcd_ek79007");
+  has("dsi/sdkconfig.defaults", "CONFIG_SPIRAM=y");
 
   const std::string sketch = read(path("own/own.ino")), scene = read(path("own/scene.hpp"));
   file("own/own.ino", "// pins of mine");
@@ -265,6 +276,16 @@ TEST_F(Bake, Refusals) {
   expect({"bake", kHouseModel, "-o", "house/", "--cores", "2"}, 2, "--cores 2 is of --project pico");
   expect({"bake", kHouseModel, "-o", "house.hpp", "--cores", "2"}, 2, "-o FOLDER/");
   expect({"bake", kHouseModel, "-o", "house/", "--project", "esp_idf", "--format", "rgb666"}, 2, "esp_lcd takes");
+  expect({"bake", kHouseModel, "-o", "house/", "--display", "rgb_panel"}, 2, "--project esp_idf --display rgb_panel");
+  const auto expect_rgb = [&](const char* option, const char* value, const char* words) {
+    expect({"bake", kHouseModel, "-o", "house/", "--project", "esp_idf", "--display", "rgb_panel", option, value}, 2,
+           words);
+  };
+  expect_rgb("--size", "480x271", "choose an even height");
+  expect_rgb("--strip-rows", "20", "choose a divisor of 136, such as 17");
+  expect_rgb("--strip-columns", "64", "take whole rows");
+  expect_rgb("--format", "rgb565_swapped", "take rgb565");
+  expect_rgb("--namespace", "glass", "--namespace glass");
   expect({"bake", kHouseModel, "-o", "house/", "--json", "house/scene.hpp"}, 2, "--json");
   expect({"bake", kHouseModel, "-o", "main.cpp", "--namespace", "player"}, 2, "--namespace player");
   expect({"bake", kHouseModel, "-o", "house.ino", "--visibility", "painter"}, 2, "no --visibility painter");

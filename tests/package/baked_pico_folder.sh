@@ -10,7 +10,9 @@ mkdir -p "$scratch"
 "$zstrip" bake teapot -o "$scratch/teapot/" --project pico --quiet "${@:6}"
 cd "$scratch/teapot"
 if [ -n "$sdk" ]; then
-  command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed"; exit 77; }
+  echo 'int main() {}' >"$scratch/empty.cpp"
+  arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb --specs=nosys.specs "$scratch/empty.cpp" -o "$scratch/empty.elf" 2>"$scratch/said" || {
+    cat "$scratch/said"; echo "arm-none-eabi-g++ with libstdc++-arm-none-eabi-newlib is not installed"; exit 77; }
   # Without picotool, which the SDK would build from sources that it downloads.
   cmake -S . -B build -G Ninja -DPICO_SDK_PATH="$sdk" -DZSTRIP_PATH="$root" -DPICO_NO_PICOTOOL=1
   cmake --build build --target teapot

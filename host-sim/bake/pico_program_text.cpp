@@ -1,4 +1,4 @@
-// The text of programs for the Raspberry Pi Pico SDK and ESP-IDF; see program_text.hpp.
+// The text of programs for the Raspberry Pi Pico SDK; see program_text.hpp.
 #include <fmt/format.h>
 
 #include <string_view>
@@ -151,107 +151,6 @@ int main() {
   return text;
 }
 
-/// The program for esp_lcd of ESP-IDF, whose driver of an ST7789 drives the panel.
-std::string esp_idf_program(const BakedScene& baked) {
-  const UprightModule module = upright_module(baked.view);
-  const bool sideways = lies_sideways(baked.view);
-  const auto pose = [&](const char* indent) {
-    return bends(baked) ? fmt::format("{}if (!{}) std::puts(\"{}\");\n", indent, pose_call(baked, "player.time()"),
-                                      pose_words(baked))
-                        : std::string();
-  };
-  std::string text = R"( For ESP-IDF 5.0.1 or later and an ST7789, written by `zstrip
-// bake`. The CMakeLists.txt of the folder above says how to build it.
-#include <cstddef>
-#include <cstdint>
-#include <cstdio>
-
-#include <driver/gpio.h>
-#include <driver/spi_master.h>
-#include <esp_lcd_panel_vendor.h>
-#include <esp_timer.h>
-#include <freertos/FreeRTOS.h>
-#include <freertos/task.h>
-
-#include "../scene.hpp"
-#include "esp_lcd.hpp"
-#include "zstrip_player/player.hpp"
-
-// The panel's pins, on an ESP32. Other chips have other ones.
-constexpr int kClock = 18, kData = 23, kDataCommand = 2, kReset = 4;
-constexpr int kSelect = 5;      // -1 without a select pin, with kMode = 3
-constexpr int kBacklight = -1;  // -1: not switched
-constexpr int kMode = 0;
-constexpr unsigned kHertz = 40'000'000;
-
-)" + player_text(baked) +
-                     R"(
-// Returns false if the panel does not start.
-bool start_glass(esp_lcd_panel_io_handle_t& io, esp_lcd_panel_handle_t& glass) {
-  if (kBacklight >= 0) {
-    gpio_set_direction(static_cast<gpio_num_t>(kBacklight), GPIO_MODE_OUTPUT);
-    gpio_set_level(static_cast<gpio_num_t>(kBacklight), 1);
-  }
-  spi_bus_config_t bus{};
-  bus.mosi_io_num = kData;
-  bus.miso_io_num = -1;
-  bus.sclk_io_num = kClock;
-  bus.quadwp_io_num = -1;
-  bus.quadhd_io_num = -1;
-  bus.max_transfer_sz = static_cast<int>(@::kPlan.strip_pixel_bytes(@::kView));
-  if (spi_bus_initialize(SPI2_HOST, &bus, SPI_DMA_CH_AUTO) != ESP_OK) return false;
-
-  esp_lcd_panel_io_spi_config_t wires{};
-  wires.cs_gpio_num = static_cast<gpio_num_t>(kSelect);
-  wires.dc_gpio_num = static_cast<gpio_num_t>(kDataCommand);
-  wires.spi_mode = kMode;
-  wires.pclk_hz = kHertz;
-  wires.trans_queue_depth = 10;
-  wires.lcd_cmd_bits = 8;
-  wires.lcd_param_bits = 8;
-  if (esp_lcd_new_panel_io_spi((esp_lcd_spi_bus_handle_t)SPI2_HOST, &wires, &io) != ESP_OK) return false;
-
-  esp_lcd_panel_dev_config_t config{};
-  config.reset_gpio_num = static_cast<gpio_num_t>(kReset);
-  config.bits_per_pixel = 16;
-  if (esp_lcd_new_panel_st7789(io, &config, &glass) != ESP_OK) return false;
-  esp_lcd_panel_reset(glass);
-  esp_lcd_panel_init(glass);
-  esp_lcd_panel_invert_color(glass, true);
-)";
-  if (sideways) {
-    text += "  esp_lcd_panel_swap_xy(glass, true);\n  esp_lcd_panel_mirror(glass, true, false);\n";
-  }
-  const int gap_x = sideways ? module.row_offset : module.column_offset;
-  const int gap_y = sideways ? module.columns_after : module.row_offset;
-  if (gap_x != 0 || gap_y != 0) text += fmt::format("  esp_lcd_panel_set_gap(glass, {}, {});\n", gap_x, gap_y);
-  text += R"(  return esp_lcd_panel_disp_on_off(glass, true) == ESP_OK;
-}
-
-extern "C" void app_main() {
-  esp_lcd_panel_io_handle_t io = nullptr;
-  esp_lcd_panel_handle_t glass = nullptr;
-  const bool has_glass = start_glass(io, glass);
-  adapters::EspLcd panel(io, glass, @::kView.width, @::kView.height);
-  if (!has_glass || panel.start() != zstrip::hal::Error::none) {
-    std::puts("the panel does not start");
-    return;
-  }
-  const bool opened = player.open()" +
-          at_rest_words(baked) + R"(, @::kView);
-)" + pose("  ") +
-          R"(  if (!opened || !player.fit(panel, kOptions)) std::puts(player.error());
-  for (;;) {
-    player.play(static_cast<std::uint32_t>(esp_timer_get_time() / 1000));
-)" + pose("    ") +
-          R"(    if (!player.draw(panel)) std::puts(player.error());
-    vTaskDelay(1);  // the idle task runs, which the watchdog wants
-  }
-}
-)";
-  return text;
-}
-
 }  // namespace
 
 Result<Done> check_for_pico_program(const BakedScene& baked, const std::string& name_space) {
@@ -262,20 +161,9 @@ Result<Done> check_for_pico_program(const BakedScene& baked, const std::string& 
                       "renderer", "renderer_of_second", "second", "start_panel", "waiting"});
 }
 
-Result<Done> check_for_esp_idf_program(const BakedScene& baked, const std::string& name_space) {
-  if (const Result<Done> fits = check_panel(baked.view); !fits) return fits.failure();
-  if (const Result<Done> sent = check_rgb565(baked.view, "esp_lcd takes rgb565_swapped; choose it"); !sent)
-    return sent.failure();
-  return check_names(baked, name_space, {"app_main", "memory", "player", "start_glass"});
-}
-
 std::string to_pico_program(const BakedScene& baked, const std::string& name_space, std::uint8_t cores) {
   return first_line(baked) +
          with_namespace(cores == 2 ? pico_program_of_two_cores(baked) : pico_program_of_one_core(baked), name_space);
-}
-
-std::string to_esp_idf_program(const BakedScene& baked, const std::string& name_space) {
-  return first_line(baked) + with_namespace(esp_idf_program(baked), name_space);
 }
 
 }  // namespace zstrip::sim
