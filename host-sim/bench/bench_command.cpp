@@ -24,11 +24,14 @@
 #include "bench/dynamic_z_table.hpp"
 #include "bench/host_bench.hpp"
 #include "bench/peer_bench.hpp"
+#include "bench/scene_case.hpp"
 #include "bench/stage_profile.hpp"
 #include "bench/visibility_table.hpp"
 #include "bench/workloads.hpp"
+#include "cli/camera_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
+#include "cli/picture_arguments.hpp"
 #include "cli/print.hpp"
 #include "cli/sibling_program.hpp"
 #include "image/write_file.hpp"
@@ -65,6 +68,8 @@ struct BenchOptions {
   std::string depth_memory;             ///< then: the row of the table to draw
   std::uint32_t table_row = 0;          ///< then: the row of a visibility table to draw
   bool programs = false;                ///< list the boards' programs instead of running them
+  BakeArguments bake;                   ///< of a scene that is drawn in place of the workloads; empty: the workloads
+  std::vector<CLI::Option*> of_bake;    ///< the options that are for a scene alone
 };
 
 /// Targets with a program that draws a scene from a file.
@@ -218,9 +223,45 @@ Result<Done> run_board_visibility(const BenchOptions& options) {
   return report(options, board_visibility_text(*rows), board_visibility_json(*rows));
 }
 
+/// Returns the bake of the scene, with the options that workloads have, too.
+Result<BakeArguments> parse_bake(const BenchOptions& options) {
+  BakeArguments bake = options.bake;
+  const auto given =
+      std::ranges::find_if(options.of_bake, [](const CLI::Option* option) { return option->count() > 0; });
+  const bool is_baked = kind_of_scene(bake.scene) == SceneKind::baked;
+  if (given != options.of_bake.end() && is_baked) {
+    return usage(fmt::format("{}: '{}' is baked already", (*given)->get_name(), bake.scene));
+  }
+  if (is_baked && !options.size.empty()) {
+    return usage(fmt::format("--size: '{}' is baked already, for a picture of its own size", bake.scene));
+  }
+  if (options.depth != "z16") return usage("--depth is for R50; a scene file has a key for it");
+  if (!options.size.empty()) bake.plan.view.size = options.size;
+  if (!options.ram.empty()) bake.plan.memory.ram = options.ram;
+  if (!options.strip_rows.empty()) bake.plan.memory.strip_rows = options.strip_rows;
+  if (!options.strip_columns.empty()) bake.plan.memory.strip_columns = options.strip_columns;
+  bake.plan.mode = options.mode;
+  return bake;
+}
+
+Result<std::vector<SceneCase>> scene_cases(const BenchOptions& options) {
+  const Result<BakeArguments> bake = parse_bake(options);
+  if (!bake) return bake.failure();
+  std::vector<SceneCase> cases;
+  for (const std::string& name : options.boards) {
+    Result<SceneCase> made = scene_case(*bake, *find_board(name), options.cores, options.frames);
+    if (!made) return made.failure();
+    cases.push_back(std::move(*made));
+  }
+  return cases;
+}
+
 Result<Done> run_predictions(const BenchOptions& options) {
   std::vector<BoardPrediction> predictions;
   std::string text;
+  Result<std::vector<SceneCase>> scenes = std::vector<SceneCase>();
+  if (!options.bake.scene.empty()) scenes = scene_cases(options);
+  if (!scenes) return scenes.failure();
   for (const std::string& name : options.boards) {
     BoardModel board = *find_board(name);
     board.spi_mhz = options.spi_mhz.value_or(board.spi_mhz);
@@ -229,7 +270,12 @@ Result<Done> run_predictions(const BenchOptions& options) {
     if (options.cores > board.cores) {
       return Failure{ExitStatus::usage, fmt::format("--cores {}: {} has one", options.cores, name)};
     }
-    const Result<std::vector<BenchCase>> cases = cases_for(options, std::string(board.target), name);
+    Result<std::vector<BenchCase>> cases = std::vector<BenchCase>();
+    if (scenes->empty()) {
+      cases = cases_for(options, std::string(board.target), name);
+    } else {
+      cases->push_back((*scenes)[static_cast<std::size_t>(&name - options.boards.data())].bench_case);
+    }
     if (!cases) return cases.failure();
     for (const BenchCase& bench_case : *cases) {
       Result<BoardPrediction> prediction = predict(board, bench_case, options.cores, options.firmware);
@@ -250,6 +296,12 @@ Result<Done> list_programs(const BenchOptions& options) {
   }
   std::vector<BenchCase> all;
   if (options.table == kBoardTable) all = board_visibility_cases();
+  if (!options.bake.scene.empty()) {
+    const Result<std::vector<SceneCase>> scenes = scene_cases(options);
+    if (!scenes) return scenes.failure();
+    for (const SceneCase& scene : *scenes) all.push_back(scene.bench_case);
+    places.clear();
+  }
   for (const auto& [target, board] : places) {
     if (target == "host") continue;
     const Result<std::vector<BenchCase>> cases = cases_for(options, target, board);
@@ -289,6 +341,9 @@ Result<Done> run_stages(const BenchOptions& options) {
 }
 
 Result<Done> run(const BenchOptions& options) {
+  const bool given =
+      std::ranges::any_of(options.of_bake, [](const CLI::Option* option) { return option->count() > 0; });
+  if (given && options.bake.scene.empty()) return usage("options of a bake are for a scene; name one");
   if (options.programs) return list_programs(options);
   if (options.stages) return run_stages(options);
   if (options.peers) return run_peers(options);
@@ -361,6 +416,8 @@ std::string footer() {
          "  zstrip bench --workload R50,R10k --size 1920x1080\n"
          "  zstrip bench --board bluepill,pico --workload K5M,CT --frames 6\n"
          "                                                frames a second that real boards would draw\n"
+         "  zstrip bench --board pico model.glb --size 240x240 --frames 1\n"
+         "                                                the same of your model, as zstrip bake bakes it\n"
          "  zstrip bench --peers                          Allegro 4 and OSMesa on the same workloads\n"
          "  zstrip bench --table dynamic-z                a published table, next to figures of this renderer\n"
          "  zstrip bench --table thesis                   painter, z-buffer and both; likewise midpoint and "
@@ -375,6 +432,7 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
               "--board", options.boards,
               "Predict frames a second of real boards, separated by commas; zstrip plan estimates those of more boards")
           ->delimiter(',')
+          ->allow_extra_args(false)
           ->transform(one_of(board_names()))
           ->excludes(target)
           ->excludes("--peers");
@@ -390,6 +448,27 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
   command.add_option("--wait-states", options.wait_states, "Wait states of the flash instead of the board's own")
       ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{1000}))
       ->needs(board);
+}
+
+void add_scene_options(CLI::App& command, BenchOptions& options) {
+  BakeArguments& bake = options.bake;
+  command
+      .add_option("scene", bake.scene,
+                  "A model, a scene file or a built-in scene, which is baked as zstrip bake does, or a baked scene "
+                  "(.zsc): drawn in place of the workloads. A frame alone is the picture as baked; several show its "
+                  "motion")
+      ->needs("--board")
+      ->excludes("--workload")
+      ->type_name("SCENE");
+  const std::size_t before = command.get_options().size();
+  add_quality_options(command, bake.plan.view);
+  add_camera_options(command, bake.camera);
+  add_reduction_options(command, bake.camera.reduction);
+  command.add_option("--textures", bake.textures, "As of zstrip bake: rgb565 (default), auto, palette8 or palette4")
+      ->option_text("FORMAT")
+      ->transform(one_of({"rgb565", "auto", "palette8", "palette4"}));
+  for (CLI::Option* option : command.get_options()) options.of_bake.push_back(option);
+  options.of_bake.erase(options.of_bake.begin(), options.of_bake.begin() + static_cast<std::ptrdiff_t>(before));
 }
 
 }  // namespace
@@ -451,6 +530,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command->add_flag("--peers", options->peers, "Other renderers of this machine on the same workloads, and ratios")
       ->excludes(target);
   add_board_options(*command, *options, target);
+  add_scene_options(*command, *options);
   command->add_option("--json", options->json, "Write the results to this file as JSON; - is standard output")
       ->type_name("FILE|-");
   command->add_option("--depth-memory", options->depth_memory)->needs(table)->group("");

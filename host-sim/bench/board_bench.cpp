@@ -27,8 +27,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kCaseLimit{900};  // for each case; a hundred frames of the largest need a few minutes
-constexpr std::uint32_t kSceneAddress = 0x00100000;  // where scene_cost.cpp looks for its scene
-constexpr int kBoardBudget = 5;                      // bench.cpp's exit status for too little memory
+constexpr int kBoardBudget = 5;                  // bench.cpp's exit status for too little memory
+
+/// Returns the address where firmware/boards/mps2/scene_in_flash.hpp looks for a scene.
+std::uint32_t scene_address(std::string_view target) { return target == "m33" ? 0x10100000 : 0x00100000; }
+
+/// Returns the text with commas doubled, as QEMU's options want them.
+std::string with_commas(const std::string& text) {
+  std::string doubled;
+  for (const char letter : text) doubled += letter == ',' ? ",," : std::string(1, letter);
+  return doubled;
+}
 
 // Code for Cortex-M0 runs on the machine with a Cortex-M3.
 const char* machine(std::string_view target) {
@@ -54,9 +63,9 @@ const char* program_infix(const BenchCase& bench_case) {
 }
 
 std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs::path& program) {
-  std::string words =
-      fmt::format("enable=on,target=native,arg=workload={},arg=size={}x{},arg=frames={}", bench_case.workload,
-                  bench_case.view.width, bench_case.view.height, bench_case.frames);
+  std::string words = fmt::format("enable=on,target=native,arg=workload={},arg=size={}x{},arg=frames={}",
+                                  bench_case.program.empty() ? bench_case.workload : "scene", bench_case.view.width,
+                                  bench_case.view.height, bench_case.frames);
   if (bench_case.depth != "z16") words += ",arg=depth=" + bench_case.depth;
   if (bench_case.budget.bytes != 0) words += fmt::format(",arg=ram={}", bench_case.budget.bytes);
   if (bench_case.budget.strip_buffers != 0) words += fmt::format(",arg=buffers={}", bench_case.budget.strip_buffers);
@@ -86,7 +95,8 @@ std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs:
                                    program.string()};
   if (!bench_case.scene_file.empty()) {
     command.emplace_back("-device");
-    command.push_back(fmt::format("loader,file={},addr={:#x},force-raw=on", bench_case.scene_file, kSceneAddress));
+    command.push_back(fmt::format("loader,file={},addr={:#x},force-raw=on", with_commas(bench_case.scene_file),
+                                  scene_address(bench_case.target)));
   }
   return command;
 }
@@ -175,6 +185,12 @@ Result<fs::path> board_program(const BenchCase& bench_case, const std::string& f
   }
   const fs::path program = folder / (board_program_of(bench_case) + ".elf");
   std::error_code ignored;
+  if (!fs::exists(program, ignored) && !bench_case.program.empty()) {
+    return Failure{ExitStatus::environment,
+                   fmt::format("{} is not there, the program with the pipeline of this scene: host-sim/run builds it "
+                               "with arm-none-eabi-g++; or name the folder where it is with --firmware",
+                               program.string())};
+  }
   if (!fs::exists(program, ignored)) {
     return Failure{ExitStatus::environment,
                    fmt::format("{} is not there: build the boards' programs (tests/run does, or cmake --build --preset "

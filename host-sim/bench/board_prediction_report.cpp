@@ -107,9 +107,9 @@ std::string prediction_text(const BoardPrediction& p) {
   const double cycles_a_ms = 1e3 * p.board.core_mhz * frames;  // summed over all frames, for 1 ms of each frame
   std::string text = fmt::format("{} on {} ({}{}): {} frames a second predicted\n", m.bench_case.workload, p.board.name,
                                  p.board.description, p.cores == 2 ? ", both cores" : "", range(1 / slow, 1 / fast, 1));
-  text += fmt::format("  picture: {}x{} RGB565, {} strips of {} rows, {}; arena and pixels {} of {} bytes of RAM\n",
-                      m.bench_case.view.width, m.bench_case.view.height, p.frames.front().strips.size(), m.strip_rows,
-                      name(m.mode), ram_bytes(p), p.board.ram_bytes);
+  text += fmt::format("  picture: {}x{} {}, {} strips of {} rows, {}; arena and pixels {} of {} bytes of RAM\n",
+                      m.bench_case.view.width, m.bench_case.view.height, format_words(m.bench_case.view),
+                      p.frames.front().strips.size(), m.strip_rows, name(m.mode), ram_bytes(p), p.board.ram_bytes);
   text += fmt::format("  frame: {} ms; drawing {} ms, sending {:.1f} ms, mean of {} frames\n",
                       range(milliseconds(fast), milliseconds(slow), 1),
                       range((p.core.low + p.flash.low) / cycles_a_ms, (p.core.high + p.flash.high) / cycles_a_ms, 1),

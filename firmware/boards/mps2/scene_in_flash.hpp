@@ -10,7 +10,11 @@
 
 namespace zstrip::bench {
 
+#if ZSTRIP_MPS2_IMAGE == 505
+inline constexpr std::uintptr_t kSceneAddress = 0x10100000;
+#else
 inline constexpr std::uintptr_t kSceneAddress = 0x00100000;
+#endif
 inline constexpr std::size_t kSceneBytes = 0x00300000;  // to the end of the flash
 
 /// Tables of up to a hundred meshes, textures, sets of lines and of edges.
