@@ -250,6 +250,25 @@ TEST(PlayerClips, ThatAreNotThereAreSaidSo) {
   EXPECT_STREQ(figure.player.error(), "there is no clip 0: the scene has 0 clips");
 }
 
+TEST(PlayerClips, OtherTextBeforeTheRateStoppedThemAndTheRate) {
+  Figure figure;
+  ASSERT_TRUE(figure.open_and_fit());
+  const auto shown = [&figure](const char* text, bool with_rate) {
+    figure.player.show_text(text, with_rate);
+    return figure.drawn();
+  };
+  for (std::uint32_t now = 0; now <= 1000; now += 100) {
+    figure.player.show_text(now % 200 == 0 ? "even " : "an odd one ", true);
+    figure.player.play(now);
+    EXPECT_EQ(figure.player.time(), now);
+    if (now < 1000) figure.drawn();
+  }
+  const auto odd = shown("an odd one ", true), even = shown("even ", true);
+  EXPECT_EQ(odd, shown("an odd one 10 fps", false));
+  EXPECT_EQ(even, shown("even 10 fps", false));
+  EXPECT_NE(even, odd);
+}
+
 TEST(PlayerClips, PlayInC) {
   constexpr zstrip_pipeline kPipeline{drawn_with_any};
   Figure figure;

@@ -117,7 +117,7 @@ bool Player::take_table(std::size_t count, std::span<T>& table, Fault fault) {
 }
 
 bool Player::open(const void* blob, std::size_t size) {
-  is_open_ = is_fitted_ = has_clock_ = false;
+  is_open_ = is_fitted_ = has_clock_ = counts_frames_ = false;
   used_ = used_open_ = time_ = event_from_ = 0;
   played_ = {};
   pose_ = nullptr;
@@ -138,7 +138,7 @@ bool Player::open(const void* blob, std::size_t size) {
 }
 
 bool Player::open(const scenes::AtRest& scene, const View& baked_for, std::span<const ClipEvent> events) {
-  is_open_ = is_fitted_ = has_clock_ = false;
+  is_open_ = is_fitted_ = has_clock_ = counts_frames_ = false;
   used_ = used_open_ = time_ = event_from_ = 0;
   played_ = {};
   pose_ = nullptr;
@@ -309,8 +309,9 @@ bool Player::play_clip(std::size_t clip, std::uint16_t fade, bool loops) {
 }
 
 void Player::play(std::uint32_t now) {
-  if (!has_clock_) {
-    now_ = second_began_ = now;
+  if (!has_clock_) now_ = now;
+  if (!counts_frames_) {
+    second_began_ = now;
     frames_ = 0;
   }
   const std::uint32_t passed = now - now_;
@@ -321,9 +322,9 @@ void Player::play(std::uint32_t now) {
     time_ = static_cast<std::uint32_t>((std::uint64_t{time_} + passed) % period());
   }
   const std::uint32_t counted = now - second_began_;
-  if (has_rate_ && (!has_clock_ || counted >= 1000)) {
+  if (has_rate_ && (!counts_frames_ || counted >= 1000)) {
     detail::Words words(text_, text_size_);
-    if (has_clock_) {
+    if (counts_frames_) {
       words << (frames_ * 1000U + counted / 2) / counted << " fps";
     } else {
       words << "- fps";
@@ -333,16 +334,22 @@ void Player::play(std::uint32_t now) {
     second_began_ = now;
     frames_ = 0;
   }
-  has_clock_ = true;
+  has_clock_ = counts_frames_ = true;
 }
 
 void Player::show_text(const char* text, bool with_rate, const Font& font) {
+  char rate[sizeof text_ - kMaxText];
+  std::copy_n(text_ + text_size_, sizeof rate, rate);
   std::size_t size = 0;
   for (; text != nullptr && size < kMaxText && text[size] != 0; ++size) text_[size] = text[size];
   text_[size] = 0;
   text_size_ = static_cast<std::uint8_t>(size);
+  if (with_rate && has_rate_) {
+    std::copy_n(rate, sizeof rate, text_ + size);
+  } else if (with_rate) {
+    counts_frames_ = false;
+  }
   has_rate_ = with_rate;
-  has_clock_ = has_clock_ && !with_rate;  // restarts counting
   font_ = font;
 }
 

@@ -314,7 +314,8 @@ class Player {
   std::uint32_t time_ = 0, now_ = 0, second_began_ = 0;
   std::uint32_t event_from_ = 0;  ///< the earliest time of an event that is due, for next_event
   bool has_clock_ = false, held_ = false;
-  std::uint16_t frames_ = 0;  ///< frames since second_began_
+  bool counts_frames_ = false;  ///< since second_began_
+  std::uint16_t frames_ = 0;    ///< frames since second_began_
   Angle right_ = 0, up_ = 0;
   std::uint16_t zoom_ = 100;
 
