@@ -60,7 +60,10 @@ std::vector<StripTimes> times_on(const BoardModel& board, double cycles, double 
 
 BoardRate rate_on(const BoardModel& board, double bus_mhz, const EstimatedFrame& frame) {
   BoardRate rate{.board = board.name, .needed_ram = ram_on(board, frame)};
-  if (rate.needed_ram <= board.ram_bytes) {
+  if (rate.needed_ram <= board.ram_bytes && frame.cycles) {
+    const EstimatedFrame known{frame.plan, frame.view, static_cast<std::uint64_t>(*frame.cycles)};
+    rate.least = rate.most = 1 / times_on(board, 1, bus_mhz, known).back().send_end;
+  } else if (rate.needed_ram <= board.ram_bytes) {
     rate.least = 1 / times_on(board, board.cycles_per_estimate.high, bus_mhz, frame).back().send_end;
     rate.most = 1 / times_on(board, board.cycles_per_estimate.low, bus_mhz, frame).back().send_end;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct EstimatedFrame {
   Plan plan;
   View view;
   std::uint64_t instructions = 0;  ///< of a Cortex-M3
+  std::optional<double> cycles{};  ///< of the board, if they are known better than by its cycles an instruction
 };
 
 struct BoardTime {

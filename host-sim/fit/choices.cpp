@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "accuracy/pareto.hpp"
+#include "bench/board_cycles.hpp"
 #include "image/to_rgb.hpp"
 #include "plan/staged_cost.hpp"
 #include "render/render_frame.hpp"
@@ -51,8 +52,12 @@ Result<FitChoice> measured(const BakeArguments& arguments, const BoardModel& boa
   if (!drawn) return drawn.failure();
   Plan plan = baked.plan;
   plan.mode = drawn->mode;
-  const std::uint64_t instructions =
-      staged_cost(staging, record.counts, baked.effects, baked.view, plan, work_of(drawn->statistics));
+  const Work work = work_of(drawn->statistics);
+  EstimatedFrame frame{baked.plan, baked.view,
+                       staged_cost(staging, record.counts, baked.effects, baked.view, plan, work)};
+  if (staging.bent_vertices == 0) {
+    frame.cycles = estimated_cycles(board.name, record.counts, baked.effects, baked.view, plan, work);
+  }
   FitChoice choice{.arguments = arguments,
                    .textures = {},
                    .triangles = {},
@@ -63,7 +68,7 @@ Result<FitChoice> measured(const BakeArguments& arguments, const BoardModel& boa
                           record.skin_ram.total() + (record.levels ? record.levels->ram : 0),
                    .triangle_count = record.counts.triangles,
                    .error_pixels = record.reduced ? record.reduced->pixels : 0,
-                   .rate = rate_on(board, board.spi_mhz, {baked.plan, baked.view, instructions}),
+                   .rate = rate_on(board, board.spi_mhz, frame),
                    .picture = rgb_image_of(baked.view, renderer.pixels())};
   return choice;
 }
