@@ -268,7 +268,7 @@ Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors
     }
     (is_pose ? poses : model.nodes.animations).push_back(std::move(*read));
   }
-  std::ranges::move(poses, std::back_inserter(model.nodes.animations));
+  std::move(poses.begin(), poses.end(), std::back_inserter(model.nodes.animations));
   morphs.finish(model);
   return Done{};
 }
