@@ -11,10 +11,10 @@ for tool in cmake ninja dtc qemu-system-arm python3; do
   command -v "$tool" >/dev/null || { echo "$tool is not installed"; exit 77; }
 done
 for python in "$(command -v python3)" /usr/bin/python3; do
-  if "$python" -c 'import elftools, pykwalify, yaml' 2>/dev/null; then break; fi
+  if "$python" -c 'import elftools, packaging, pykwalify, yaml' 2>/dev/null; then break; fi
 done
-"$python" -c 'import elftools, pykwalify, yaml' 2>/dev/null ||
-  { echo "Zephyr's scripts need python3-pyelftools, python3-pykwalify and python3-yaml"; exit 77; }
+"$python" -c 'import elftools, packaging, pykwalify, yaml' 2>/dev/null ||
+  { echo "Zephyr's scripts need python3-packaging, python3-pyelftools, python3-pykwalify and python3-yaml"; exit 77; }
 
 rm -rf "$2"
 mkdir -p "$2"
