@@ -62,6 +62,7 @@ constexpr Pattern kPatterns[] = {
     {"set_up", Group::small_triangles},
 
     {"draw_span", Group::spans},
+    {"scan_cut_rows", Group::spans},
     {"draw_medium_textured", Group::spans},
     {"begin_textured", Group::spans},
     {"scan_textured", Group::spans},
