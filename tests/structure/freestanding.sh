@@ -24,22 +24,27 @@ trap 'rm -rf "$objects"' EXIT
 
 # The headers' templates are instantiated by the .cpp files. Without optimisation, which is quicker and folds nothing away:
 # what the sources call, the objects call. Firmware is linked without a library anyway.
+pipelines='/(any_p[a-z]*|rows_of_[a-z_]*)\.cpp"'
+# compile FOLDER/WHAT COMPILER FLAGS...: WHAT is `pipelines` or `others`.
 compile() {
-  local folder=$1 included
+  local folder=${1%/*} what=${1##*/} included
   shift
-  included=$(find "$folder" -name '*.cpp' -printf '#include "%p"\n' | sort | grep -vE "/(no_rows_of_[a-z]*${few:+|any_p[a-z]*|rows_of_[a-z_]*})\.cpp\"")
+  included=$(find "$folder" -name '*.cpp' ! -name 'no_rows_of_*' -printf '#include "%p"\n' | sort)
+  if [ "$what" = pipelines ]; then included=$(grep -E "$pipelines" <<<"$included"); else included=$(grep -vE "$pipelines" <<<"$included"); fi
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
     -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" \
-    -o "$objects/$(tr / _ <<<"${folder#"$root"/}").o" -c -x c++ - <<<"$included"
+    -o "$objects/$(tr / _ <<<"${folder#"$root"/}")_$what.o" -c -x c++ - <<<"$included"
 }
-export root objects few
+export root objects pipelines
 export -f compile
 if [ -n "$built" ]; then
   read_from=("$built"/{core/libzstrip_core,hal/libzstrip_hal}.a)
   player=$built/firmware/player/libzstrip_player.a  # some boards have no program with it
   if [ -e "$player" ]; then read_from+=("$player"); fi
 else
-  printf '%s\n' "$root"/{core/zstrip,hal/zstrip_hal,firmware/player/zstrip_player} |
+  units=("$root"/{core/zstrip,hal/zstrip_hal,firmware/player/zstrip_player}/others)
+  if [ -z "$few" ]; then units+=("$root"/core/zstrip/{frame,visibility}/pipelines); fi
+  printf '%s\n' "${units[@]}" |
     xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@"
   read_from=("$objects"/*.o)
 fi
