@@ -39,8 +39,9 @@ struct CutRows {
 
 /// Draws the columns of the strip in rows from `row` to `end`. Planes are set up at the first row that has pixels
 /// there: most triangles at the sides of a narrow strip have none. Returns false, without a pixel, if they cannot be.
+template <bool gouraud>
 [[gnu::noinline]] bool scan_cut_rows(MediumScan& scan, const MediumTriangle& t, CutRows& cut, std::int32_t row,
-                                     std::int32_t end, void (*draw_rows)(MediumScan&, std::int32_t)) {
+                                     std::int32_t end) {
   EdgeWalk &left = scan.rows.left, &right = scan.rows.right;
   for (; row < end; ++row) {
     const std::int32_t whole_left = left.pixel, whole_right = right.pixel;
@@ -54,7 +55,7 @@ struct CutRows {
     if (cut.row_of_starts != row) move_starts(scan, cut.row_of_starts, row);
     cut.row_of_starts = row + 1;
     left.pixel = cut_left, right.pixel = cut_right;
-    draw_rows(scan, 1);
+    scan_rows<gouraud>(scan, 1);
     left.pixel += whole_left - cut_left, right.pixel += whole_right - cut_right;
   }
   return true;
@@ -85,7 +86,7 @@ bool draw(const MediumTriangle t, [[maybe_unused]] const Colour* const* colours,
     if (rows.row != rows.anchor_y) move_starts(scan, rows.anchor_y, rows.row);
   }
   const auto scan_to = [&](std::int32_t end) {
-    if (is_cut) return scan_cut_rows(scan, t, cut, rows.row, end, scan_rows<gouraud>);
+    if (is_cut) return scan_cut_rows<gouraud>(scan, t, cut, rows.row, end);
     scan_rows<gouraud>(scan, end - rows.row);
     return true;
   };
