@@ -41,3 +41,7 @@ const char* pick_middle(zstrip_picked* picked, const void* scene, size_t scene_b
   zstrip_player_pick(player, picker, 60, 45, picked);
   return zstrip_player_error(player);
 }
+
+int fit_format(zstrip_player* player, long format) {
+  return zstrip_player_fit(player, 120, 90, (zstrip_format)format, 1);
+}

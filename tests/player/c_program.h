@@ -22,6 +22,9 @@ const char* show(picture* to, const void* scene, size_t scene_bytes, void* memor
 const char* pick_middle(zstrip_picked* picked, const void* scene, size_t scene_bytes, void* memory, size_t memory_bytes,
                         const zstrip_pipeline* pipeline, const zstrip_picker* picker);
 
+/* Fits any number as the format; only C has such values of an enumeration. */
+int fit_format(zstrip_player* player, long format);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,8 @@
 // The functions of zstrip_player.h.
 #include <algorithm>
+#include <bit>
 #include <new>
+#include <type_traits>
 
 #include "zstrip_player/c_picker.hpp"
 #include "zstrip_player/c_pipeline.hpp"
@@ -21,6 +23,21 @@ zstrip_strip strip_of(const zstrip::Rect& area, std::span<const std::byte> pixel
   return {side(area.left), side(area.top), side(area.width()), side(area.height()), pixels.data(), pixels.size(), mask};
 }
 
+/// A program in C may pass any number, which must not become a valid format when it is cut to a byte. Its bytes are
+/// read, because in C++ a value of an enum is one of as many bits as its enumerators have.
+zstrip::PixelFormat format_of(const zstrip_format& format) {
+  const auto number = std::bit_cast<std::underlying_type_t<zstrip_format>>(format);
+  return static_cast<zstrip::PixelFormat>(std::min<unsigned>(number, 0xFF));
+}
+
+int fit(zstrip_player* player, std::uint16_t width, std::uint16_t height, zstrip::PixelFormat format,
+        const zstrip_fit_options& wanted) {
+  if (player == nullptr) return 0;
+  const zstrip::FitOptions options{
+      .strip_rows = wanted.strip_rows, .masked = wanted.masked != 0, .tracks_changes = wanted.tracks_changes != 0};
+  return player->fit(width, height, format, options, wanted.row_step) ? 1 : 0;
+}
+
 }  // namespace
 
 zstrip_player* zstrip_player_in(void* memory, std::size_t bytes, const zstrip_pipeline* pipeline) {
@@ -39,18 +56,11 @@ int zstrip_player_open(zstrip_player* player, const void* scene, std::size_t byt
 }
 int zstrip_player_fit(zstrip_player* player, std::uint16_t width, std::uint16_t height, zstrip_format format,
                       std::uint16_t row_step) {
-  const zstrip_fit_options options{0, row_step, 0, 0};
-  return zstrip_player_fit_with(player, width, height, format, &options);
+  return fit(player, width, height, format_of(format), {0, row_step, 0, 0});
 }
 int zstrip_player_fit_with(zstrip_player* player, std::uint16_t width, std::uint16_t height, zstrip_format format,
                            const zstrip_fit_options* options) {
-  if (player == nullptr) return 0;
-  const zstrip_fit_options wanted = options != nullptr ? *options : zstrip_fit_options{};
-  // An unknown number must not become a valid format when it is cut to a byte.
-  const auto pixels = static_cast<zstrip::PixelFormat>(std::min<unsigned>(format, 0xFF));
-  const zstrip::FitOptions fit{
-      .strip_rows = wanted.strip_rows, .masked = wanted.masked != 0, .tracks_changes = wanted.tracks_changes != 0};
-  return player->fit(width, height, pixels, fit, wanted.row_step) ? 1 : 0;
+  return fit(player, width, height, format_of(format), options != nullptr ? *options : zstrip_fit_options{});
 }
 int zstrip_player_begin(zstrip_player* player) { return player != nullptr && player->begin() ? 1 : 0; }
 int zstrip_player_strip(zstrip_player* player, std::uint16_t y, zstrip_strip* strip) {
