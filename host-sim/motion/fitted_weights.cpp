@@ -13,7 +13,7 @@ namespace zstrip::sim {
 Result<FittedWeights> fit_weights(const NodeAnimation& animation, std::span<const double> tolerances) {
   FittedWeights fitted;
   for (const WeightCurve& weight : animation.weights) {
-    if (weight.curve.times.empty()) continue;
+    if (weight.curve.times.empty() || tolerances[weight.weight] == 0) continue;
     const InstanceMotion motion{.instance = static_cast<std::uint16_t>(weight.weight),
                                 .at =
                                     [&weight](double seconds) {

@@ -22,7 +22,8 @@ class FittedWeights {
   std::uint32_t duration_ = 0;
 };
 
-/// `tolerances`: the largest error of each weight. The times are those of fit_animation(). Fails as it does.
+/// `tolerances`: the largest error of each weight; 0: it is left out. The times are those of fit_animation(). Fails as
+/// it does.
 Result<FittedWeights> fit_weights(const NodeAnimation& animation, std::span<const double> tolerances);
 
 }  // namespace zstrip::sim

@@ -99,6 +99,14 @@ Result<FittedWeights> fit_weight_animation(const Model& model, const NodeAnimati
   constexpr double kMaxError = 1.0 / 256, kMinError = 1.0 / 2048;
   std::vector<double> tolerances;
   for (const ModelWeight& weight : model.weights) {
+    const auto index = static_cast<std::size_t>(&weight - model.weights.data());
+    const auto has_target = [index](const ModelMorph& morph) {
+      return std::ranges::find(morph.targets, index, &MorphTarget::weight) != morph.targets.end();
+    };
+    if (std::ranges::none_of(model.morphs, has_target)) {
+      tolerances.push_back(0);  // a blob has no weights that move nothing
+      continue;
+    }
     const double together = weight.reach * static_cast<double>(animation.weights.size());
     tolerances.push_back(together > 0 ? std::clamp(tolerance / together, kMinError, kMaxError) : kMaxError);
   }

@@ -27,6 +27,7 @@ struct Pyramid {
   bool sparse = false;                                                    ///< the first target
   bool double_sided = false;                                              ///< and without its base
   bool normals = true;
+  bool widens = true;  ///< else the second target moves nothing
 
   static constexpr std::array<Place, kCorners> kPlaces{
       {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {0.25, 1.5, 0}}};
@@ -69,7 +70,7 @@ std::string Pyramid::gltf() const {
   // The sparse accessor has no view of its own: the ones after it count one more.
   const std::size_t more = sparse ? 1 : 0;
   const std::size_t turn = data.add_floats(flat(kTurn), "VEC3") + more;
-  const std::size_t wide = data.add_floats(flat(kWide), "VEC3") + more;
+  const std::size_t wide = data.add_floats(flat(widens ? kWide : std::array<Place, kCorners>{}), "VEC3") + more;
   const std::size_t input = data.add_floats(times, "SCALAR") + more;
   const std::size_t output = data.add_floats(values, "SCALAR") + more;
   const std::string normal = normals ? R"(,"NORMAL":)" : "";
@@ -259,6 +260,13 @@ TEST_F(GltfMorph, LargeWeightsAreDrawn) {
     for (const Corner& other : found) least = std::min(least, apart(corner.place, other.place));
     EXPECT_LT(least, 0.05) << "of a box of some 60 units";
   }
+}
+
+TEST_F(GltfMorph, ATargetThatMovesNothingHadAWeightThatBlobsRefuse) {
+  const auto stage = opened({.widens = false});
+  ASSERT_TRUE(stage);
+  ASSERT_EQ(stage->weight_animation().tracks.size(), 1U);
+  EXPECT_EQ(stage->weight_animation().tracks[0].instance, 0U);
 }
 
 TEST_F(GltfMorph, DamageIsSaid) {
