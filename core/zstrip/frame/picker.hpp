@@ -152,7 +152,7 @@ class PickedTriangle {
   }
 
   /// Sets the texture coordinates of a pixel that passed the depth test. Returns false if its texel discards it.
-  static bool shows(const Target& target, const Batch& batch, const RasterVertex (&v)[3], const TrianglePlanes& setup,
+  static bool shows(const Target& target, const Batch& batch, const RasterVertex (&v)[3], const PlaneSetup& setup,
                     const Span<Cell>& span, Picked& found, bool& hides) {
     const Shade shade = batch.instance->shade;
     found.textured = false;
@@ -196,7 +196,7 @@ class PickedTriangle {
 
   /// Does the same for an instance that is drawn fragment by fragment, and tests its alpha.
   static bool shows_fragment(const Target& target, const Batch& batch, const RasterVertex* const (&vertices)[3],
-                             const TrianglePlanes& setup, const Span<Cell>& span, Picked& found, bool& hides) {
+                             const PlaneSetup& setup, const Span<Cell>& span, Picked& found, bool& hides) {
     const FragmentSettings& settings = target.fragments;
     const FragmentPlanes<kPicking> planes(setup, vertices, batch.surface, target);
     FragmentRun<kPicking> run(planes, target);

@@ -26,8 +26,7 @@ struct Span {
 template <DepthFormat format>
 class TriangleDepth {
  public:
-  template <class Planes>
-  TriangleDepth(const Planes& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
+  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
     if constexpr (format == DepthFormat::z16) {
       plane_ = setup.plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
     } else {
@@ -50,8 +49,7 @@ class TriangleDepth {
 template <>
 class TriangleDepth<DepthFormat::float16> {
  public:
-  template <class Planes>
-  TriangleDepth(const Planes& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
+  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
     const auto [farthest, nearest] = std::minmax({v0.depth, v1.depth, v2.depth});
     first_ = float16_octave(farthest);
     last_ = float16_octave(nearest);

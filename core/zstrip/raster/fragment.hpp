@@ -23,8 +23,8 @@ struct FragmentPlanes {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
   static constexpr bool kStored = effects.any(effect::texture_palettes | effect::mipmaps);
 
-  FragmentPlanes(const TrianglePlanes& setup, const RasterVertex* const (&v)[3],
-                 const FragmentSurface<effects>& surface, const TargetOf<effects>& target) {
+  FragmentPlanes(const PlaneSetup& setup, const RasterVertex* const (&v)[3], const FragmentSurface<effects>& surface,
+                 const TargetOf<effects>& target) {
     const FragmentSettings& settings = target.fragments;
     const auto plane = [&](auto member) {
       const auto value = [&](int i) { return std::int64_t{v[i]->*member}; };

@@ -10,7 +10,6 @@
 
 #include "zstrip/kernels/span.hpp"
 #include "zstrip/kernels/textured_span.hpp"
-#include "zstrip/kernels/triangle_planes.hpp"
 #include "zstrip/pixels/edge_walk.hpp"
 #include "zstrip/raster/method_hooks.hpp"
 #include "zstrip/visibility/traits.hpp"
@@ -163,7 +162,7 @@ struct SpanTriangle {
 
   std::int64_t area;
   std::int32_t anchor_x, anchor_y;  ///< a pixel of the picture near the triangle; does not depend on the strip
-  TrianglePlanes setup;
+  PlaneSetup setup;
   TriangleDepth<mode.format> depth;
   DepthRule<mode> rule;
 };

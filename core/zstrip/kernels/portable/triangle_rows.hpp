@@ -12,9 +12,9 @@ namespace zstrip::detail {
 
 /// The rows in two parts: down to the middle vertex, and below it. The first part may be empty.
 struct TriangleRows {
-  std::int32_t anchor_x, anchor_y;  ///< the picture's pixel nearest to the upper left corner of the box
-  std::int32_t left, right;         ///< the first column, and the one after the last
-  std::int32_t width, height;       ///< size of the triangle, 12.4
+  std::int32_t anchor_x, anchor_y;
+  std::int32_t right;          ///< the column after the last one
+  std::int32_t width, height;  ///< size of the triangle, 12.4
   std::int32_t row;
   std::int32_t middle, end;  ///< the first row of the second part; the row after the last one
   bool middle_is_left;
@@ -28,12 +28,12 @@ struct TriangleRows {
     // The first vertex is the highest; seen from it, the second one lies on the left.
     middle_is_left = b.y < c.y;
     width = max_x - min_x, height = (middle_is_left ? c.y : b.y) - a.y;
-    left = min_x >> 4, right = max_x >> 4;
-    anchor_x = std::max(left, t.target.view_left), anchor_y = std::max<std::int32_t>(a.y >> 4, t.target.view_top);
+    anchor_x = min_x >> 4, anchor_y = std::max<std::int32_t>(a.y >> 4, t.target.view_top);
+    right = max_x >> 4;
   }
 
   /// True if the triangle crosses neither the left nor the right side of the strip.
-  bool lies_in(const Rect& strip) const { return left >= strip.left && right <= strip.right; }
+  bool lies_in(const Rect& strip) const { return anchor_x >= strip.left && right <= strip.right; }
 
   bool find_rows(const MediumTriangle& t) {
     const Rect& strip = t.target.area;
