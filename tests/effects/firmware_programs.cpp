@@ -49,7 +49,7 @@ const std::vector<Other> kOthers = {
 };
 
 /// The first calls functions of stages by themselves, without a scene; the others draw a scene that somebody has baked.
-constexpr std::string_view kSkipped[] = {"self_test_",        "scene_",      "bench_scene_",
+constexpr std::string_view kSkipped[] = {"self_test_",        "scene_",      "bench_scene_", "played_",
                                          "lm3s6965evb_scene", "pico_player", "pico2_player"};
 
 Effects effects_of_program(const std::string& name) {
