@@ -19,6 +19,21 @@ std::string pose(const BakedScene& baked, std::string_view indent) {
   return fmt::format("{}if (!{}) std::puts(\"{}\");\n", indent, pose_call(baked, "player.time()"), pose_words(baked));
 }
 
+/// The rest of app_main for a panel that takes frames whenever they are drawn.
+std::string playing(const BakedScene& baked) {
+  return R"(  const bool opened = player.open()" + at_rest_words(baked) + R"(, @::kView);
+)" + pose(baked, "  ") +
+         R"(  if (!opened || !player.fit(panel, kOptions)) std::puts(player.error());
+  for (;;) {
+    player.play(static_cast<std::uint32_t>(esp_timer_get_time() / 1000));
+)" + pose(baked, "    ") +
+         R"(    if (!player.draw(panel)) std::puts(player.error());
+    vTaskDelay(1);  // the idle task runs, which the watchdog wants
+  }
+}
+)";
+}
+
 /// The program for esp_lcd of ESP-IDF, whose driver of an ST7789 drives the panel.
 std::string spi_program(const BakedScene& baked) {
   const UprightModule module = upright_module(baked.view);
@@ -100,18 +115,7 @@ extern "C" void app_main() {
     std::puts("the panel does not start");
     return;
   }
-  const bool opened = player.open()" +
-          at_rest_words(baked) + R"(, @::kView);
-)" + pose(baked, "  ") +
-          R"(  if (!opened || !player.fit(panel, kOptions)) std::puts(player.error());
-  for (;;) {
-    player.play(static_cast<std::uint32_t>(esp_timer_get_time() / 1000));
-)" + pose(baked, "    ") +
-          R"(    if (!player.draw(panel)) std::puts(player.error());
-    vTaskDelay(1);  // the idle task runs, which the watchdog wants
-  }
-}
-)";
+)" + playing(baked);
   return text;
 }
 
@@ -191,18 +195,7 @@ extern "C" void app_main() {
     return;
   }
   glass::light();
-  const bool opened = player.open()" +
-         at_rest_words(baked) + R"(, @::kView);
-)" + pose(baked, "  ") +
-         R"(  if (!opened || !player.fit(panel, kOptions)) std::puts(player.error());
-  for (;;) {
-    player.play(static_cast<std::uint32_t>(esp_timer_get_time() / 1000));
-)" + pose(baked, "    ") +
-         R"(    if (!player.draw(panel)) std::puts(player.error());
-    vTaskDelay(1);  // the idle task runs, which the watchdog wants
-  }
-}
-)";
+)" + playing(baked);
 }
 
 /// The chip and the components of a panel's program.

@@ -44,7 +44,7 @@ TEST_F(Reduction, TexturesBecomeColoursOfVertices) {
   EXPECT_LT(mean_difference(picture(model, {}), picture(model, {"--texture-size", "0"})), 2.5) << "the seam, too";
 }
 
-/// The same two colours by a texture, of which each face shows one texel, and by materials.
+/// Each face shows one texel of a texture, or has a material of the same colour.
 TEST_F(Reduction, AFlatTextureLosesNothing) {
   std::string bytes(18, '\0');
   bytes[2] = 2;
