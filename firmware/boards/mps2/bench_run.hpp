@@ -168,6 +168,28 @@ struct Workload {
   int (*run)(const Arguments&);
 };
 
+/// Reads the command line of the program `name`, which has a scene of its own, and calls `run`. Returns the exit
+/// status.
+inline int run_scene(std::string_view name, int (*run)(const Arguments&)) {
+  static std::array<char, 256> buffer;
+  const auto words = board::read_command_line(buffer);
+  if (!words) return kUsage;
+  const Arguments arguments = parse_arguments(*words);
+  if (!arguments.wrong_word.empty()) {
+    print(name);
+    print(": cannot read the word '");
+    print(arguments.wrong_word);
+    print("'\n");
+    return kUsage;
+  }
+  if (!board::start_instruction_counter()) {
+    print(name);
+    print(": the timer does not count instructions; run QEMU with -icount shift=0\n");
+    return kFailed;
+  }
+  return run(arguments);
+}
+
 inline int run_bench(std::span<const Workload> workloads) {
   static std::array<char, 256> buffer;
   const auto words = board::read_command_line(buffer);

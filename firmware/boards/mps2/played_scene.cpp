@@ -104,20 +104,4 @@ int run(const bench::Arguments& arguments) {
 
 }  // namespace
 
-int main() {
-  static std::array<char, 256> buffer;
-  const auto words = board::read_command_line(buffer);
-  if (!words) return bench::kUsage;
-  const bench::Arguments arguments = bench::parse_arguments(*words);
-  if (!arguments.wrong_word.empty()) {
-    bench::print("played_scene: cannot read the word '");
-    bench::print(arguments.wrong_word);
-    bench::print("'\n");
-    return bench::kUsage;
-  }
-  if (!board::start_instruction_counter()) {
-    bench::print("played_scene: the timer does not count instructions; run QEMU with -icount shift=0\n");
-    return bench::kFailed;
-  }
-  return run(arguments);
-}
+int main() { return bench::run_scene("played_scene", run); }
