@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "bench/board_model.hpp"
+#include "pico_spi_dma.hpp"
 #include "scene.hpp"
 #include "zstrip/area.hpp"
 #include "zstrip/fingerprints.hpp"
 #include "zstrip/zstrip.hpp"
 #include "zstrip_hal/changed_tiles.hpp"
 #include "zstrip_hal/message_screen.hpp"
+#include "zstrip_hal/output_pin.hpp"
 #include "zstrip_hal_linux/gpio.hpp"
 #include "zstrip_hal_linux/sleeping_clock.hpp"
 #include "zstrip_hal_linux/spidev.hpp"
@@ -124,6 +126,10 @@ void opened() {
   // docs/program.md: A texture that changes
 }
 }  // namespace baked_texels
+
+namespace on_pico {
+// docs/porting.md: Which compiler
+}  // namespace on_pico
 
 int drawn() {
   static baked::FixedRenderer renderer;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # compilers.sh ROOT COMPILER: what compilers say of the package's headers. With an older language every header that an
 # application includes ends with one error that says what to do; sketches compile for older cores (TEST_OLD_CORE), and with g++-11.
+# Core, drivers, player and a sketch compile in the newest language that an installed compiler knows.
 set -euo pipefail
 cd "$1"
 compiler=$2
@@ -27,4 +28,16 @@ for each in "${compilers[@]}"; do
       -x c++ "$sketch" || failed=1
   done
 done
+
+# ESP-IDF 6 compiles as gnu++26, which GCC 12 does not know.
+scratch=$(mktemp)
+trap 'rm "$scratch"' EXIT
+newest=("$compiler" -std=gnu++23)
+if command -v clang++-19 >/dev/null; then newest=(clang++-19 -std=gnu++26); else echo "clang++-19 is not installed: without gnu++26"; fi
+{
+  find core/zstrip hal/zstrip_hal firmware/player/zstrip_player firmware/scenes/stage.cpp -name '*.cpp' ! -name 'any_p*.cpp' \
+    ! -name '*rows*.cpp' -printf '#include "%p"\n'
+  printf '#include "%s"\n' Arduino.h firmware/examples/HelloPyramid/HelloPyramid.ino
+} >"$scratch"
+"${newest[@]}" -Wall -Wextra -Werror "${includes[@]}" -I. -fsyntax-only -x c++ "$scratch" || failed=1
 exit "$failed"
