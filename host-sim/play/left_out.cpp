@@ -1,11 +1,13 @@
 // The parts that a page does without: meshes that Draco has compressed and the workload R10k, which are refused,
-// JPEG files and whole folders as output, threads, and signals: a trap ends the module, and the page says so.
+// JPEG files, JSON and whole folders as output, threads, and signals: a trap ends the module, and the page says so.
 #include "play/left_out.hpp"
 #include "bake/project_files.hpp"
 #include "image/jpeg_writer.hpp"
 #include "import/crash_guard.hpp"
 #include "import/gltf/draco_meshes.hpp"
 #include "render/parallel.hpp"
+#include "report/bake_report.hpp"
+#include "report/frame_record.hpp"
 #include "zstrip_scenes/random.hpp"
 
 namespace zstrip::scenes {
@@ -19,6 +21,7 @@ const std::array<Meshlet, kRandom10kMeshlets> kRandom10kMeshletTable{};
 namespace zstrip::sim {
 
 std::optional<Failure> left_out(std::string_view word) {
+  if (word.starts_with("--json")) return Failure{ExitStatus::usage, "a page writes no JSON; the command does"};
   if (!word.starts_with("random10k")) return std::nullopt;
   return Failure{ExitStatus::usage,
                  "the scenes random10k, for measuring, are too large for a page; the command has them"};
@@ -31,6 +34,10 @@ Result<DracoMesh> decode_draco(const GltfJson&, std::span<const std::uint8_t>) {
 Result<std::vector<std::uint8_t>> write_jpeg(std::span<const std::uint8_t>, int, int) {
   return Failure{ExitStatus::usage, "a page writes no JPEG, but PNG; the command does"};
 }
+
+// Both are written only with --json, which left_out() refuses.
+std::string bake_json(const BakeRecord&) { return {}; }
+std::string to_json(const RunRecord&) { return {}; }
 
 Result<Done> check_project_name(const std::string&) {
   return Failure{ExitStatus::usage, "a page writes no whole folder, but a sketch and its header; the command does"};

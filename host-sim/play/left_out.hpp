@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// Returns the reason why this scene, a word of a command line, is refused; nothing if it is accepted.
+/// Returns the reason why this word of a command line, a scene or an option, is refused; nothing if it is accepted.
 std::optional<Failure> left_out(std::string_view word);
 
 }  // namespace zstrip::sim

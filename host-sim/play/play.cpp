@@ -12,10 +12,8 @@
 
 #include "cli/bake_command.hpp"
 #include "cli/command_line.hpp"
-#include "cli/plan_command.hpp"
 #include "cli/print.hpp"
 #include "cli/render_command.hpp"
-#include "cli/scenes_command.hpp"
 #include "cli/usage_error.hpp"
 #include "compose/perspective_runs.hpp"
 #include "image/to_rgb.hpp"
@@ -238,15 +236,13 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* zstrip_png() { return viewed.png.data()
 
 }  // namespace zstrip::sim
 
-/// The command, for what it writes: pictures, headers and blobs, plans.
+/// The command, for what it writes: pictures, headers and blobs.
 int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (const auto failure = zstrip::sim::left_out(argv[i])) return zstrip::sim::print_failure(*failure);
   }
   return zstrip::sim::run_command_line(argc, argv, [](CLI::App& app, int& exit_code) {
     zstrip::sim::add_render_command(app, exit_code);
-    zstrip::sim::add_plan_command(app, exit_code);
     zstrip::sim::add_bake_command(app, exit_code);
-    zstrip::sim::add_scenes_command(app, exit_code);
   });
 }

@@ -184,6 +184,7 @@ test('what is wrong is said, and the next scene is drawn', async () => {
   await refused('teapot', ['--ram', '1K'], 5, /bytes missing/);
   await refused('random10k', [], 2, /too large for a page/);
   await refused('nowhere.glb', [], 4, /nowhere\.glb/);
+  await assert.rejects(drawing.run(['bake', 'teapot', '-o', 'a.hpp', '--json', '-']), /a page writes no JSON/);
   drawing.addFiles([
     {path: 'broken.glb', bytes: new TextEncoder().encode('glTF, or not')},
     {path: 'broken.toml', bytes: new TextEncoder().encode('[camera\n')},
