@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "bake/baked_light.hpp"
 #include "bake/blob_characters.hpp"
 #include "bake/clipping.hpp"
 #include "bake/effects_found.hpp"
@@ -142,6 +144,22 @@ std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const BakeArguments& arg
   for (const ModelMorph& morph : skins.morphs) bent.push_back(morph.mesh);
   for (const DetailLevel& level : at_rest.levels) bent.insert(bent.end(), {level.mesh, level.coarser});
   return std::make_unique<ShownEdges>(scenes::AtRest{at_rest.scene, at_rest.camera, animation, turn}, view, bent);
+}
+
+/// Returns the meshes that move in the light, or whose tables a level of detail shares.
+std::set<std::size_t> meshes_in_motion(const Staging& at_rest, const Animation& animation, const Turn& turn,
+                                       const OutputSkins& output) {
+  std::set<std::size_t> meshes;
+  for (const ModelSkin& skin : output.skins.meshes) meshes.insert(skin.mesh);
+  for (const ModelMorph& morph : output.skins.morphs) meshes.insert(morph.mesh);
+  for (const DetailLevel& level : at_rest.levels) meshes.insert({level.mesh, level.coarser});
+  const auto add = [&](const Track& track) { meshes.insert(at_rest.scene.instances[track.instance].mesh); };
+  std::ranges::for_each(animation.tracks, add);
+  for (const ModelClip& clip : output.clips) std::ranges::for_each(clip.instances.view().tracks, add);
+  // If only some instances turn, they turn in the light; otherwise the camera goes around them all.
+  if (turn.still_instances == 0) return meshes;
+  for (const Instance& instance : at_rest.scene.instances.subspan(turn.still_instances)) meshes.insert(instance.mesh);
+  return meshes;
 }
 
 BakeRecord describe(const BakeArguments& arguments, const Stage& stage, const BakedScene& baked) {
@@ -355,9 +373,16 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
     }
     at_rest.scene = characters->scene();
   }
-  const Result<Turn> turn = characters ? Result<Turn>(Turn{.what = Turning::nothing})
-                                       : turn_of(**stage, request->method, turntable, *staging);
+  Result<Turn> turn = characters ? Result<Turn>(Turn{.what = Turning::nothing})
+                                 : turn_of(**stage, request->method, turntable, *staging);
   if (!turn) return turn.failure();
+  std::optional<LightBakedScene> lit;
+  if (arguments.lighting == "baked") {
+    lit.emplace(at_rest.scene, meshes_in_motion(at_rest, (*stage)->animation(), *turn, *output_skins));
+    at_rest.scene = lit->scene();
+    const bool all_turn = turn->what != Turning::nothing && turn->still_instances == 0;
+    if (lit->baked() > 0 && all_turn) turn = Turn{.what = Turning::camera};
+  }
   if (for_pico) {
     request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, characters ? &*characters : nullptr,
                                *pico_file);
@@ -390,6 +415,7 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   BakeRecord record = describe(arguments, **stage, *baked);
   record.clipping = std::move(clipping);
   record.palettes = paletted.records();
+  if (lit) record.light_baked = lit->baked();
   record.mipmaps = mipmap_records(at_rest.scene);
   if (arguments.textures == "rgb565") {
     record.palettes_would_save = PalettedScene(at_rest.scene, TextureChoice::automatic).saved_bytes();
@@ -480,6 +506,12 @@ void add_bake_command(CLI::App& app, int& exit_code) {
           "needs them (default); on, for programs that move camera or instances themselves")
       ->option_text("CHOICE")
       ->transform(one_of({"auto", "on"}));
+  command
+      ->add_option("--lighting", a.lighting,
+                   "Light of instances that do not move: drawn, computed in each frame (default); baked, as colours of "
+                   "vertices without textures. The camera then goes around a scene that would turn")
+      ->option_text("CHOICE")
+      ->transform(one_of({"drawn", "baked"}));
   add_pico_options(*command, a.pico);
   add_project_options(*command, a.project);
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");

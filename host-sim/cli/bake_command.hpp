@@ -35,6 +35,7 @@ struct BakeArguments {
   std::string textures = "rgb565";
   std::string mipmaps = "auto";
   std::string clipping = "auto";
+  std::string lighting = "drawn";
   PicoArguments pico;
   ProjectArguments project;
   std::optional<std::string> json;

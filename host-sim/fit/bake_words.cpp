@@ -56,6 +56,7 @@ std::vector<std::string> bake_words(const BakeArguments& arguments) {
   add("--background", camera.background);
   add("--light", camera.light);
   add("--textures", arguments.textures);
+  if (arguments.lighting != "drawn") add("--lighting", arguments.lighting);
   add("--texture-size", camera.reduction.texture_size);
   add("--triangles", camera.reduction.triangles);
   add_flag("--lod", camera.reduction.lod);

@@ -8,9 +8,11 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "accuracy/pareto.hpp"
+#include "bake/baked_light.hpp"
 #include "bench/board_cycles.hpp"
 #include "image/to_rgb.hpp"
 #include "plan/staged_cost.hpp"
@@ -23,6 +25,7 @@ namespace {
 constexpr int kVisiblyOff = 24;
 constexpr std::uint32_t kSmallestSide = 8;
 constexpr const char* kPalettes[] = {"rgb565", "palette8", "palette4"};
+constexpr const char* kLightings[] = {"drawn", "baked"};
 constexpr const char* kShares[] = {"", "50%", "25%", "12%", "6%"};
 constexpr std::size_t kFewTriangles = 64;  // fewer are not removed
 
@@ -157,19 +160,21 @@ double look_of(const FitChoice& choice) {
   return std::round(std::log(std::max(choice.rms, kMinSeen)) / std::log(kStep));
 }
 
-/// Keeps the choices that no other one beats, and puts the best looking one first.
+/// Keeps the choices that no other one beats, and puts the best looking one first. Baked light never beats light that
+/// is drawn, because it does not follow what moves later.
 void keep_front(std::vector<FitChoice>& choices) {
-  std::vector<Respects> respects;
+  std::vector<Respects> all, drawn;
   for (const FitChoice& choice : choices) {
-    respects.push_back({static_cast<double>(choice.flash), look_of(choice), 1 / choice.rate.least});
+    all.push_back({static_cast<double>(choice.flash), look_of(choice), 1 / choice.rate.least});
+    if (!choice.has_baked_light()) drawn.push_back(all.back());
   }
-  const std::vector<bool> front = pareto_front(respects);
+  const std::vector<bool> front = pareto_front(all), front_of_drawn = pareto_front(drawn);
   std::vector<FitChoice> kept;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (front[i]) kept.push_back(std::move(choices[i]));
+  for (std::size_t i = 0, next = 0; i < choices.size(); ++i) {
+    if (choices[i].has_baked_light() ? front[i] : front_of_drawn[next++]) kept.push_back(std::move(choices[i]));
   }
   std::ranges::stable_sort(
-      kept, [](const FitChoice& a, const FitChoice& b) { return a.rms != b.rms ? a.rms < b.rms : a.flash < b.flash; });
+      kept, {}, [](const FitChoice& choice) { return std::tuple(choice.rms, choice.has_baked_light(), choice.flash); });
   choices = std::move(kept);
 }
 
@@ -185,12 +190,19 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
   const std::vector<ViewArguments> views = smoothings(base.plan.view);
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<Failure> refused;
+  std::uint32_t shown = 0;  // combinations, however they are lit
   for (std::size_t s = 0; s < shares.size(); ++s) {
     for (std::size_t t = 0; t < sides.size(); ++t) {
       std::unique_ptr<Stage> stage;
-      for (std::size_t p = 0; p < palettes.size() * views.size() * lods.size(); ++p) {
+      bool has_light = false;  // that colours of vertices can hold
+      const std::size_t pictures = palettes.size() * views.size() * lods.size();
+      for (std::size_t each = 0; each < pictures * std::size(kLightings); ++each) {
+        const std::size_t p = each / std::size(kLightings), light = each % std::size(kLightings);
         if (sides[t] == 0U && p % palettes.size() > 0) continue;  // palettes are for textures
+        if (light == 0) has_light = false;
+        if (light > 0 && !has_light) continue;
         BakeArguments arguments = base;
+        arguments.lighting = kLightings[light];
         arguments.plan.view = views[p / palettes.size() % views.size()];
         arguments.camera.reduction.lod = lods[p / palettes.size() / views.size()];
         if (*shares[s] != '\0') arguments.camera.reduction.triangles = shares[s];
@@ -203,6 +215,7 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
                                 Result<FitChoice> one = measured(arguments, board, baked, record);
                                 if (!one) return one.failure();
                                 choice = std::move(*one);
+                                has_light = LightBakedScene(baked.scene, {}).baked() > 0;
                                 return Done{};
                               }};
         if (is_whole) {
@@ -231,8 +244,10 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
         }
         const Result<Done> done = bake(arguments, &trial);
         const std::size_t folded = sides.size() > 1 ? palettes.size() - 1 : 0;
-        progress(++found.tried, static_cast<std::uint32_t>(shares.size() * views.size() * lods.size() *
-                                                           (sides.size() * palettes.size() - folded)));
+        ++found.tried;
+        if (light == 0) ++shown;
+        progress(shown, static_cast<std::uint32_t>(shares.size() * views.size() * lods.size() *
+                                                   (sides.size() * palettes.size() - folded)));
         if (!done) {
           if (done.failure().status != ExitStatus::budget) return done.failure();
           refused = done.failure();

@@ -30,6 +30,8 @@ struct FitChoice {
   double rms = 0;         ///< of a channel's difference to the whole model, 0 to 255
   std::uint64_t off = 0;  ///< pixels of which a channel differs by more than 24
   RgbImage picture;
+
+  bool has_baked_light() const { return arguments.lighting == "baked"; }
 };
 
 /// The result of a search.

@@ -32,14 +32,16 @@ std::string fit_table(const FitSearch& found, const BoardModel& board, std::size
   std::string text =
       fmt::format("{} combinations tried for {}; listed: {} that fit and that no other beats in everything\n",
                   grouped(found.tried), board.description, grouped(found.choices.size()));
-  text += fmt::format("{:>5}  {:<18} {:>9} {:>10} {:>6}  {:<11} {:>11} {:>9} {:>11} {:>6} {:>7}\n", "", "textures",
-                      "triangles", "", "pixels", "smooth", "flash", "RAM", "frames/s", "rms", "off");
+  text +=
+      fmt::format("{:>5}  {:<18} {:>9} {:>10} {:>6}  {:<11} {:<5} {:>11} {:>9} {:>11} {:>6} {:>7}\n", "", "textures",
+                  "triangles", "", "pixels", "smooth", "light", "flash", "RAM", "frames/s", "rms", "off");
   for (std::size_t i = 0; i < found.choices.size(); ++i) {
     const FitChoice& choice = found.choices[i];
-    text += fmt::format("{:>2} {:>2}  {:<18} {:>9} {:>10} {:>6.2f}  {:<11} {:>11} {:>9} {:>11} {:>6.2f} {:>5.1f} %\n",
-                        i == chosen ? "->" : "", i + 1, choice.textures, choice.triangles,
-                        grouped(choice.triangle_count), choice.error_pixels, choice.smoothing, grouped(choice.flash),
-                        grouped(choice.ram), choice.rate.words(), choice.rms, percent_off(choice));
+    text +=
+        fmt::format("{:>2} {:>2}  {:<18} {:>9} {:>10} {:>6.2f}  {:<11} {:<5} {:>11} {:>9} {:>11} {:>6.2f} {:>5.1f} %\n",
+                    i == chosen ? "->" : "", i + 1, choice.textures, choice.triangles, grouped(choice.triangle_count),
+                    choice.error_pixels, choice.smoothing, choice.arguments.lighting, grouped(choice.flash),
+                    grouped(choice.ram), choice.rate.words(), choice.rms, percent_off(choice));
   }
   return text +
          "Frames a second are an estimate; pixels: how far the surface moved, by the simplifier's measure; rms and "
@@ -58,6 +60,7 @@ std::string fit_json(const FitSearch& found, const BoardModel& board, std::size_
                 {"triangles", choice.triangle_count},
                 {"error_pixels", choice.error_pixels},
                 {"lod", reduction.lod},
+                {"lighting", choice.arguments.lighting},
                 {"flash_bytes", choice.flash},
                 {"ram_bytes", choice.ram},
                 {"frames_per_second", {choice.rate.least, choice.rate.most}},
@@ -95,7 +98,8 @@ Result<std::string> fit_page(const FitSearch& found, const BoardModel& board, st
         "{}{}: textures {}\n{} ({}, {:.2f} pixels off){}\nflash {}, RAM {}\n{} frames/s\n"
         "rms {:.2f}, {:.1f} % of the pixels off by more than 24",
         i + 1, i == chosen ? ", chosen" : "", choice.textures, counted(choice.triangle_count, "triangle"),
-        choice.triangles, choice.error_pixels, choice.smoothing == "no" ? "" : ", " + choice.smoothing,
+        choice.triangles, choice.error_pixels,
+        (choice.smoothing == "no" ? "" : ", " + choice.smoothing) + (choice.has_baked_light() ? ", light baked" : ""),
         grouped(choice.flash), grouped(choice.ram), choice.rate.words(), choice.rms, percent_off(choice));
     if (const Result<Done> done = add(choice.picture, i == chosen ? " class=\"chosen\"" : "", words); !done) {
       return done.failure();

@@ -73,6 +73,7 @@ std::string bake_json(const BakeRecord& record) {
     object["levels"] = {
         {"coarser_meshes", levels->levels}, {"meshes", levels->meshes}, {"triangles", levels->triangles}};
   }
+  object["light_baked"] = record.light_baked.value_or(0);
   object["palettes"] = Json::array();
   for (const PaletteRecord& palette : record.palettes) {
     object["palettes"].push_back({{"texture", palette.texture},

@@ -114,6 +114,12 @@ std::string levels_lines(const BakeRecord& record) {
                      counted(levels.triangles, "triangle"), counted(levels.ram, "byte"));
 }
 
+std::string light_line(const BakeRecord& record) {
+  if (!record.light_baked) return "";
+  return fmt::format("  light      baked into vertices of {} of {}\n", grouped(*record.light_baked),
+                     counted(record.counts.instances, "instance"));
+}
+
 std::string effect_lines(const BakeRecord& record) {
   std::string text;
   for (const FoundEffect& found : record.effects) {
@@ -153,7 +159,7 @@ std::string bake_summary(const BakeRecord& record) {
   text += reduced_line(record) + shrunk_line(record) + levels_lines(record);
   text += fmt::format("  flash      {}\n", counted(record.flash.total(), "byte")) + flash_lines(record);
   text += palette_lines(record);
-  text += mipmap_lines(record);
+  text += mipmap_lines(record) + light_line(record);
   text += effect_lines(record);
   text += clipping_line(record);
   text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, format_words(record.view),

@@ -71,7 +71,8 @@ struct BakeRecord {
   std::optional<ClippingRecord> clipping{};  ///< of a header
   std::optional<ReducedTriangles> reduced{};
   std::optional<Shrunk> shrunk{};
-  std::size_t edges_left_out = 0;  ///< that its motion never shows
+  std::size_t edges_left_out = 0;            ///< that its motion never shows
+  std::optional<std::size_t> light_baked{};  ///< instances whose light is in colours of vertices
   std::optional<LevelsRecord> levels{};
 };
 

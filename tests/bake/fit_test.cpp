@@ -130,6 +130,23 @@ TEST_F(Fit, ATextureGoesWhereColoursOfVerticesLookAlike) {
   EXPECT_NE(read(path("sheet.html")).find("textures none: vertices"), std::string::npos);
 }
 
+TEST_F(Fit, LightGoesIntoColoursOfVerticesWhereThatTakesLessFlash) {
+  const Json found = fit(sphere(), {"--fps", "1"});
+  const Json* baked = nullptr;
+  for (const Json& choice : found.at("choices")) {
+    if (choice.at("lighting") == "baked" && choice.at("triangles_option") == "100%") baked = &choice;
+  }
+  ASSERT_NE(baked, nullptr);
+  EXPECT_EQ(baked->at("texture_size"), 0) << "textures stay lit";
+  const auto drawn = std::ranges::find_if(found.at("choices"), [&](const Json& choice) {
+    return choice.at("lighting") == "drawn" && choice.at("texture_size") == 0 && choice.at("rms") == baked->at("rms");
+  });
+  ASSERT_NE(drawn, found.at("choices").end()) << "light that follows what moves is not given up unasked";
+  EXPECT_LT(baked->at("flash_bytes"), drawn->at("flash_bytes"));
+  EXPECT_EQ(report(baked->at("bake").get<std::vector<std::string>>()).at("flash_bytes").at("total"),
+            baked->at("flash_bytes"));
+}
+
 TEST_F(Fit, TheFlashOfTheBoardIsTheLimitWhereNoneIsGiven) {
   texture("colours.tga", 256);
   const std::string model = textured_sphere(24, 12);
