@@ -58,6 +58,21 @@ std::optional<std::string> old_fbx(std::string_view begin) {
                      version / 1000, version / 100 % 10);
 }
 
+/// Returns a message for releases of Blender whose files Assimp does not read.
+std::optional<std::string> new_blend(std::string_view begin) {
+  constexpr unsigned kLastOfAssimp = 301;
+  // "BLENDER-v304", or since release 5 "BLENDER17-01v0500".
+  const std::size_t at = begin.substr(0, 20).find('v');
+  unsigned version = 0;
+  if (!begin.starts_with("BLENDER") || at == begin.npos || begin.size() < at + 5) return std::nullopt;
+  std::from_chars(begin.data() + at + 1, begin.data() + at + (begin[at + 1] == '0' ? 5 : 4), version);
+  if (version <= kLastOfAssimp) return std::nullopt;
+  return fmt::format(
+      "is of Blender {}.{}, and only the program blender of that release or a later one reads it: install it, or "
+      "export the file as .glb",
+      version / 100, version % 100);
+}
+
 std::optional<std::string> page_kind(std::string_view begin) {
   const std::string lowered = lower(std::string(begin));
   std::string_view text = lowered;
@@ -86,6 +101,12 @@ std::optional<std::string> foreign_kind(std::string_view begin, std::string_view
   if (auto page = page_kind(begin)) return page;
   if (ending == ".fbx") {
     if (auto old = old_fbx(begin)) return old;
+  }
+  if (ending == ".blend") {
+    if (auto too_new = new_blend(begin)) return too_new;
+  }
+  if (ending == ".wrl" || begin.starts_with("#VRML")) {
+    return "is VRML, which is not read; export it as .x3d or .glb, for example with Blender";
   }
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kPictures{{{"\x89PNG\r\n"sv, "PNG"},
                                                                                     {"\xFF\xD8\xFF"sv, "JPEG"},

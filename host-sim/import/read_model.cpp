@@ -17,6 +17,7 @@
 #include "image/decode.hpp"
 #include "import/3mf/read_3mf.hpp"
 #include "import/assimp/read_assimp.hpp"
+#include "import/blend_file.hpp"
 #include "import/crash_guard.hpp"
 #include "import/ending.hpp"
 #include "import/find_file.hpp"
@@ -71,9 +72,16 @@ ReadPicture picture_reader_beside(const std::filesystem::path& folder) {
 }
 
 /// Reads any format. Files of glTF 1.0, which is another format, are read by Assimp.
-Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
-                             Shine shine, CrashGuard& guard) {
+Result<SourceModel> read_any(const std::filesystem::path& path, const ExportedBlend& blend, std::optional<UpAxis> up,
+                             Texcoords texcoords, Shine shine, CrashGuard& guard) {
   const auto parsed = [&guard] { guard.lift_limits(); };
+  if (!blend.glb.empty()) {
+    const Result<GltfDocument> document = parse_gltf(blend.glb);
+    if (!document) return unreadable_model(document.failure().message);
+    // The export has turned z upwards already.
+    const Affine turn = turn_up(up.value_or(UpAxis::plus_z)) * inverse(turn_up(UpAxis::plus_z));
+    return read_gltf(*document, reader_beside(path.parent_path()), turn, texcoords, shine);
+  }
   const std::string ending = ending_of(path);
   if (ending == ".ply" || ending == ".3mf" || ending == ".stl") {
     const Result<std::vector<std::uint8_t>> bytes = read_file(path);
@@ -109,15 +117,30 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
         "was written by zstrip bake for firmware and cannot be read; name the scene that it was made from, or "
         "bake a .zsc");
   }
-  std::string begin(kBytesOfKind, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(file.gcount()));
-  if (const std::optional<std::string> other = foreign_kind(begin, ending_of(path))) return named(*other);
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(path, error);
   if (error) return named("cannot be read: " + error.message());
   const std::chrono::seconds limit = reading_limit(bytes);
+  const std::string ending = ending_of(path);
+  std::string begin(kBytesOfKind, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  constexpr std::string_view kGzip = "\x1F\x8B", kZstd = "\x28\xB5\x2F\xFD";
+  ExportedBlend blend;
+  if (ending == ".blend" && (begin.starts_with("BLENDER") || begin.starts_with(kGzip) || begin.starts_with(kZstd))) {
+    constexpr std::chrono::minutes kStart{1};  // of blender, on a busy machine
+    blend = export_blend(path, limit + kStart);
+  }
+  const std::string why = blend.reason.empty() ? "" : fmt::format("blender did not export it: {}", blend.reason);
+  if (const std::optional<std::string> other = foreign_kind(begin, ending); other && blend.glb.empty()) {
+    return named(*other + (why.empty() ? "" : "; " + why));
+  }
+  if (ending == ".blend" && blend.glb.empty()) {
+    blend.warnings.push_back(
+        "drawn without: modifiers, flat faces, nodes of materials, skins and animations, which " +
+        (why.empty() ? std::string("only the program blender reads; it is not installed") : "blender reads; " + why));
+  }
   const std::string shown = printable(path.string());
   CrashGuard guard(
       fmt::format(
@@ -128,7 +151,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
       limit, reading_memory(bytes));
   Result<SourceModel> model = [&]() -> Result<SourceModel> {
     try {
-      return read_any(path, up, texcoords, shine, guard);
+      return read_any(path, blend, up, texcoords, shine, guard);
     } catch (const std::bad_alloc&) {
       guard.lift_limits();
       if (!machine_gives(reading_memory(bytes))) throw;
@@ -136,6 +159,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
     }
   }();
   if (!model) return named(model.failure().message);
+  model->warnings.insert(model->warnings.end(), blend.warnings.begin(), blend.warnings.end());
   return model;
 }
 

@@ -1,8 +1,10 @@
 // The parts that a page does without: meshes that Draco has compressed and the workload R10k, which are refused,
-// JPEG files, JSON and whole folders as output, threads, and signals: a trap ends the module, and the page says so.
+// JPEG files, JSON and whole folders as output, Blender, threads, and signals: a trap ends the module, and the page
+// says so.
 #include "play/left_out.hpp"
 #include "bake/project_files.hpp"
 #include "image/jpeg_writer.hpp"
+#include "import/blend_file.hpp"
 #include "import/crash_guard.hpp"
 #include "import/gltf/draco_meshes.hpp"
 #include "render/parallel.hpp"
@@ -46,6 +48,8 @@ Result<Done> check_for_project(const BakedScene&, const std::string&, const Proj
 std::vector<ProjectFile> project_files(const BakedScene&, const std::string&, const Project&) { return {}; }
 // Only whole folders ask for these rows.
 std::uint16_t rgb_strip_rows(std::uint16_t, std::uint16_t) { return 0; }
+
+ExportedBlend export_blend(const std::filesystem::path&, std::chrono::seconds) { return {}; }
 
 CrashGuard::CrashGuard(const std::string&, const std::string&, std::chrono::seconds, std::uint64_t) {}
 CrashGuard::~CrashGuard() = default;

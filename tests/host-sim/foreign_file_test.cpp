@@ -27,6 +27,9 @@ TEST_F(Import, FilesThatAreNoModelsAreNamedAsWhatTheyAre) {
       {"a.dae", "\xFF\xD8\xFF\xE0" + zeros, "is a picture (JPEG)"},
       {"a.glb", zeros, "holds only zeros"},
       {"a.glb", "", "is empty"},
+      {"a.blend", "BLENDER-v304RENDSECRET" + zeros, "is of Blender 3.4, and only the program blender"},
+      {"a.blend", "BLENDER17-01v0500SECRET" + zeros, "is of Blender 5.0, and only the program blender"},
+      {"a.wrl", "#VRML V2.0 utf8\nSECRET", "is VRML, which is not read"},
       {"a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:1\n", "is a Git LFS pointer"},
   };
   for (const auto& [name, content, words] : cases) {
@@ -40,6 +43,8 @@ TEST_F(Import, ModelsAreNotTakenForOtherFiles) {
   EXPECT_FALSE(foreign_kind("PK\3\4", ".3mf"));
   EXPECT_FALSE(foreign_kind("PK\3\4", ".zae"));
   EXPECT_FALSE(foreign_kind("\x1F\x8B", ".blend"));
+  EXPECT_FALSE(foreign_kind("BLENDER-v279RENDH", ".blend"));
+  EXPECT_FALSE(foreign_kind("BLENDER_v301RENDH", ".blend"));
   EXPECT_FALSE(foreign_kind("<?xml version='1.0'?><COLLADA>", ".dae"));
   EXPECT_FALSE(foreign_kind("<?xml version='1.0'?><!DOCTYPE X3D><X3D><head></head></X3D>", ".x3d"));
   EXPECT_FALSE(foreign_kind("# <html>\nv 0 0 0\n", ".obj"));

@@ -258,6 +258,19 @@ TEST_F(ImportAlpha, KindsOfFbx) {
   EXPECT_EQ(hidden.warnings.size(), 1U);
 }
 
+/// Blender 2.75 and 2.76 write a share of 1 of black for no reflection: their models were drawn as mirrors.
+TEST_F(ImportAlpha, BlackReflectionOfBlendersFbxIsNoMetal) {
+  for (const auto& [colour, metallic] : {std::pair{"0,0,0", 0.0}, std::pair{"1,1,1", 1.0}}) {
+    std::string text =
+        fbx_triangle(fmt::format("P: \"ShininessExponent\", \"Number\", \"\", \"A\",20\n"
+                                 "P: \"ReflectionColor\", \"Color\", \"\", \"A\",{}\n"
+                                 "P: \"ReflectionFactor\", \"Number\", \"\", \"A\",1\n",
+                                 colour));
+    text.insert(text.find("FBXVersion"), "Creator: \"Blender (stable FBX IO) - 2.76\"\n");
+    EXPECT_EQ(material(source(file("m.fbx", text))).metallic, metallic) << colour;
+  }
+}
+
 TEST_F(ImportAlpha, MapsOfFbx) {
   png("colour.png", 2, 2, 0xF800);
   grey_png("mask.png", 2, 2, {0, 255, 255, 0});

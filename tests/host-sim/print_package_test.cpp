@@ -34,19 +34,32 @@ std::string deflated(const std::string& bytes) {
   return packed;
 }
 
-/// A zip archive of these files.
-std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files, bool packs) {
+/// A zip archive of these files. `wide`: as zip64 has them, which lib3mf always writes.
+std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files, bool packs, bool wide = false) {
   std::string local, listed;
   for (const auto& [name, content] : files) {
     const std::string data = packs ? deflated(content) : content;
-    const std::string facts = number(packs ? 8 : 0, 2) + number(0, 8) + number(data.size(), 4) +
-                              number(content.size(), 4) + number(name.size(), 2) + number(0, 2);
-    listed +=
-        "PK\1\2" + number(20, 4) + number(0, 2) + facts + number(0, 2 + 2 + 2 + 4) + number(local.size(), 4) + name;
-    local += "PK\3\4" + number(20, 2) + number(0, 2) + facts + name + data;
+    const std::string packing = number(packs ? 8 : 0, 2) + number(0, 8);
+    const auto sizes = [&](std::size_t bytes) { return number(data.size(), bytes) + number(content.size(), bytes); };
+    const std::string hidden = number(0xFFFFFFFF, 4);
+    const std::string fields = wide ? number(9, 2) + number(1, 2) + "x" + number(1, 2) + number(24, 2) +
+                                          number(content.size(), 8) + number(data.size(), 8) + number(local.size(), 8)
+                                    : "";
+    listed += "PK\1\2" + number(20, 4) + number(0, 2) + packing + (wide ? hidden + hidden : sizes(4)) +
+              number(name.size(), 2) + number(fields.size(), 2) + number(0, 8) + number(0, 2) +
+              (wide ? hidden : number(local.size(), 4)) + name + fields;
+    local += "PK\3\4" + number(20, 2) + number(0, 2) + packing + sizes(4) + number(name.size(), 2) + number(0, 2) +
+             name + data;
   }
-  return local + listed + "PK\5\6" + number(0, 4) + number(files.size(), 2) + number(files.size(), 2) +
-         number(listed.size(), 4) + number(local.size(), 4) + number(0, 2);
+  const std::string count = number(files.size(), 2) + number(files.size(), 2);
+  if (!wide) {
+    return local + listed + "PK\5\6" + number(0, 4) + count + number(listed.size(), 4) + number(local.size(), 4) +
+           number(0, 2);
+  }
+  return local + listed + "PK\6\6" + number(44, 8) + number(0, 8) + number(0, 4) + number(files.size(), 8) +
+         number(files.size(), 8) + number(listed.size(), 8) + number(local.size(), 8) + "PK\6\7" + number(0, 4) +
+         number(local.size() + listed.size(), 8) + number(1, 4) + "PK\5\6" + number(0, 4) + count +
+         number(0xFFFFFFFF, 4) + number(0xFFFFFFFF, 4) + number(0, 2);
 }
 
 const std::string kModel =
@@ -156,6 +169,24 @@ TEST_F(PrintPackage, TexturesLieInThePackage) {
   ASSERT_EQ(textured.textures.size(), 1U);
   EXPECT_EQ(textured.texels[0][0], 0xF800);
   EXPECT_EQ(textured.meshes[0].texcoords.size(), 3U);
+}
+
+TEST_F(PrintPackage, SizesOfZip64AreRead) {
+  const std::string part = part_of("<object id='1'>" + mesh_of() + "</object>", "<item objectid='1'/>");
+  const std::string zip = zip_of({{"3D/3dmodel.model", part}}, true, true);
+  EXPECT_EQ(triangles(model(file("m.3mf", zip), UpAxis::plus_y)).size(), 1U);
+  for (std::size_t length = 0; length + 22 < zip.size(); length += 5) failure(file("bad.3mf", zip.substr(0, length)));
+}
+
+TEST_F(PrintPackage, ExtensionsThatAreNotDrawnAreNamed) {
+  const std::string lattice = "<mesh>" + kVertices + "<b:beamlattice><b:beams/></b:beamlattice></mesh>";
+  EXPECT_EQ(one_part("<object id='1'>" + mesh_of() + "</object><object id='2'>" + lattice + "</object>",
+                     "<item objectid='1'/>")
+                .warnings,
+            std::vector<std::string>{"drawn without: beam lattices"});
+  const std::string alone = part_of("<object id='1'>" + lattice + "</object>", "<item objectid='1'/>");
+  const std::string said = failure(file("bad.3mf", zip_of({{"3D/3dmodel.model", alone}}, true)));
+  EXPECT_NE(said.find("has no triangles, but beam lattices"), std::string::npos) << said;
 }
 
 TEST_F(PrintPackage, DamageIsRefusedForWhatItIs) {

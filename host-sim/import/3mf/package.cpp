@@ -1,9 +1,12 @@
 // The parts of a 3MF package that are drawn: objects, their colours, and where they are built.
 #include "import/3mf/package.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "import/3mf/xml_tags.hpp"
@@ -13,6 +16,16 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::string_view kGaps = " \t\r\n";
+
+/// Tags of extensions that are not drawn.
+constexpr std::array<std::pair<std::string_view, const char*>, 8> kUndrawn{{{"beamlattice", "beam lattices"},
+                                                                            {"slicestack", "slices"},
+                                                                            {"booleanshape", "boolean shapes"},
+                                                                            {"displacementmesh", "displaced meshes"},
+                                                                            {"levelset", "volumes"},
+                                                                            {"volumedata", "volumes"},
+                                                                            {"multiproperties", "mixed properties"},
+                                                                            {"compositematerials", "mixed materials"}}};
 
 /// Removes the next number from a text; not a number (NaN) if there is none.
 double take_number(std::string_view& text) {
@@ -97,7 +110,9 @@ void PartReader::add_triangle(const XmlTag& tag) {
   const std::uint32_t first = index_of(tag, "p1", has_own ? 0 : index_of_object_);
   triangle.properties = {first, index_of(tag, "p2", first), index_of(tag, "p3", first)};
   ++triangles_;
-  if (tag.has("paint_color") || tag.has("mmu_segmentation")) part_.is_painted = true;
+  if (tag.has("paint_color") || tag.has("mmu_segmentation")) {
+    part_.undrawn.emplace("colours painted in a slicer, which are not part of 3MF");
+  }
 }
 
 void PartReader::add_use(const XmlTag& tag, std::vector<PrintUse>& to) const {
@@ -141,6 +156,9 @@ void PartReader::read(const XmlTag& tag) {
     group_->texcoords.push_back({number_of(tag, "u"), number_of(tag, "v")});
   } else if (tag.name == "texture2d") {
     part_.textures[index_of(tag, "id")] = tag.value("path");
+  } else if (const auto* const found = std::ranges::find(kUndrawn, tag.name, &decltype(kUndrawn)::value_type::first);
+             found != kUndrawn.end()) {
+    part_.undrawn.emplace(found->second);
   }
 }
 

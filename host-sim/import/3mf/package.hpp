@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,7 +54,7 @@ struct PrintPart {
   std::map<std::uint32_t, PrintGroup> groups;
   std::map<std::uint32_t, std::string> textures;  ///< paths in the package
   std::vector<PrintUse> built;
-  bool is_painted = false;  ///< a slicer's colours, which do not belong to 3MF
+  std::set<std::string> undrawn;  ///< names of what it has besides
 };
 
 /// Reads the text of a .model file. The failure's message is a reason.

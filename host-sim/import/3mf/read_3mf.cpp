@@ -2,12 +2,14 @@
 #include "import/3mf/read_3mf.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
@@ -190,9 +192,15 @@ Result<Done> PackageReader::read_all() {
     if (!added) return added.failure();
   }
   if (lost_ > 0) model_.warnings.push_back(fmt::format("{} left out: not in the file", counted(lost_, "object")));
-  const bool is_painted = std::ranges::any_of(parts_, [](const auto& each) { return each.second.is_painted; });
-  if (is_painted) model_.warnings.emplace_back("drawn without: colours painted in a slicer, which are not part of 3MF");
-  return groups_.finish();
+  std::set<std::string> undrawn;
+  for (const auto& [path, each] : parts_) undrawn.insert(each.undrawn.begin(), each.undrawn.end());
+  const std::string names = fmt::format("{}", fmt::join(undrawn, ", "));
+  if (!names.empty()) model_.warnings.push_back("drawn without: " + names);
+  const Result<Done> finished = groups_.finish();
+  if (!finished && !names.empty() && model_.meshes.empty()) {
+    return Failure{ExitStatus::input, fmt::format("has no triangles, but {}: export it as a surface", names)};
+  }
+  return finished;
 }
 
 }  // namespace

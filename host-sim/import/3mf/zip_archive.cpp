@@ -5,6 +5,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -15,7 +16,9 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::string_view kEnd = "PK\5\6", kListed = "PK\1\2", kLocal = "PK\3\4";
+constexpr std::string_view kWideEnd = "PK\6\6", kWideEndPlace = "PK\6\7";  // of zip64
 constexpr unsigned kStored = 0, kDeflated = 8;
+constexpr std::size_t kIsWide = 0xFFFFFFFF;  // the number has 64 bits and stands elsewhere
 
 Failure damaged(std::string reason) { return {ExitStatus::input, std::move(reason)}; }
 
@@ -50,6 +53,20 @@ Result<std::string> inflated(std::string_view packed, std::size_t size) {
   return bytes;
 }
 
+/// Replaces numbers that are kIsWide by the next ones of the zip64 field, if there is one. All writers that use lib3mf
+/// have such a field for each file, however small.
+void widen(std::string_view fields, std::initializer_list<std::size_t*> numbers) {
+  constexpr std::size_t kZip64 = 1;
+  std::size_t at = 0;
+  while (at < fields.size() && number_at(fields, at, 2) != kZip64) at += 4 + number_at(fields, at + 2, 2).value_or(0);
+  at += 4;
+  for (std::size_t* const number : numbers) {
+    if (*number != kIsWide) continue;
+    *number = number_at(fields, at, 8).value_or(kIsWide);
+    at += 8;
+  }
+}
+
 }  // namespace
 
 Result<ZipArchive> ZipArchive::open(std::string_view bytes) {
@@ -58,7 +75,13 @@ Result<ZipArchive> ZipArchive::open(std::string_view bytes) {
   archive.left_ = std::uint64_t{64} * bytes.size() + (std::uint64_t{64} << 20);
   const std::size_t end = bytes.rfind(kEnd);
   if (end == std::string_view::npos) return damaged("it is not a zip archive, or its end is missing");
-  const std::optional<std::size_t> count = number_at(bytes, end + 10, 2), listed = number_at(bytes, end + 16, 4);
+  std::optional<std::size_t> count = number_at(bytes, end + 10, 2), listed = number_at(bytes, end + 16, 4);
+  if (listed == kIsWide && end >= 20 && bytes.substr(end - 20).starts_with(kWideEndPlace)) {
+    const std::size_t wide = number_at(bytes, end - 12, 8).value_or(bytes.size());
+    if (wide < bytes.size() && bytes.substr(wide).starts_with(kWideEnd)) {
+      count = number_at(bytes, wide + 32, 8), listed = number_at(bytes, wide + 48, 8);
+    }
+  }
   if (!count || !listed) return damaged("its list of files is cut off");
   std::size_t at = *listed;
   for (std::size_t i = 0; i < *count; ++i) {
@@ -67,8 +90,9 @@ Result<ZipArchive> ZipArchive::open(std::string_view bytes) {
     if (!last || !bytes.substr(at).starts_with(kListed)) return damaged("its list of files is damaged");
     const std::size_t name = *field(28, 2), skipped = *field(30, 2) + *field(32, 2);
     if (bytes.size() - at < 46 + name) return damaged("its list of files is damaged");
-    archive.entries_.emplace(plain_name(bytes.substr(at + 46, name)),
-                             Entry{static_cast<unsigned>(*field(10, 2)), *last, *field(20, 4), *field(24, 4)});
+    Entry entry{static_cast<unsigned>(*field(10, 2)), *last, *field(20, 4), *field(24, 4)};
+    widen(bytes.substr(at + 46 + name).substr(0, *field(30, 2)), {&entry.unpacked, &entry.packed, &entry.offset});
+    archive.entries_.emplace(plain_name(bytes.substr(at + 46, name)), entry);
     at += 46 + name + skipped;
   }
   return archive;

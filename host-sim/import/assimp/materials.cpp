@@ -139,7 +139,10 @@ void MaterialReader::read_metal(const aiMaterial& from, SourceMaterial& to) cons
   to.roughness = share_of(from, AI_MATKEY_ROUGHNESS_FACTOR).value_or(1);
   float shininess = 0;
   if (!is_blender_fbx_ || from.Get(AI_MATKEY_SHININESS, shininess) != AI_SUCCESS) return;
-  to.metallic = share_of(from, AI_MATKEY_REFLECTIVITY).value_or(0);
+  // Releases before 2.77 write a share of 1 with black for no reflection.
+  aiColor3D reflected;
+  const bool is_black = from.Get(AI_MATKEY_COLOR_REFLECTIVE, reflected) == AI_SUCCESS && reflected.IsBlack();
+  to.metallic = is_black ? 0 : share_of(from, AI_MATKEY_REFLECTIVITY).value_or(0);
   to.roughness = 1 - std::sqrt(std::clamp(double{shininess} / 100, 0.0, 1.0));
 }
 
