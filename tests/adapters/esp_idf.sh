@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # esp_idf.sh ROOT ZSTRIP FOLDER [PANEL_DRIVER]: the adapters for esp_lcd, the programs of `zstrip bake --project esp_idf` for its
-# three kinds of panels, and those of the package for RGB and MIPI-DSI panels compile with the headers of the real ESP-IDF in
-# FOLDER, each for a chip that runs it: as gnu++20, and as gnu++23, the newest that Debian's compilers know (release 6 has gnu++26).
+# three kinds of panels, and those of the package compile with the headers of the real ESP-IDF in FOLDER, each for a chip
+# that runs it: as gnu++20, and as gnu++23, the newest that Debian's GCC knows (release 6 has gnu++26).
 # PANEL_DRIVER: the folder of the component esp_lcd_ek79007; without it a stand-in declares its functions.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
@@ -59,6 +59,7 @@ for panel in st7789 rgb_panel mipi_dsi_panel; do
 done
 configure esp32c3 riscv
 compiles "the program of bake" "$scratch/st7789/main/main.cpp" riscv64-unknown-elf-g++ -march=rv32imac -mabi=ilp32
+compiles "the program of the package" "$package/spi_panel/main/main.cpp" riscv64-unknown-elf-g++ -march=rv32imac -mabi=ilp32
 
 # That of an ESP32-S3 differs from Debian's Xtensa in registers, which syntax does not show.
 configure esp32s3 xtensa
