@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,23 @@ namespace {
 
 constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::array<std::uint8_t, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
+
+/// Formats of pictures that are not read, by bytes at a place near their begin.
+struct OtherFormat {
+  std::size_t at;
+  std::string_view bytes;
+  const char* name;
+};
+constexpr std::array<OtherFormat, 10> kOtherFormats{{{0, "\xABKTX 20\xBB", "KTX 2"},
+                                                     {0, "\xABKTX 11\xBB", "KTX"},
+                                                     {0, "DDS ", "DDS"},
+                                                     {0, "GIF8", "GIF"},
+                                                     {0, {"II*\0", 4}, "TIFF"},
+                                                     {0, {"MM\0*", 4}, "TIFF"},
+                                                     {0, "8BPS", "Photoshop"},
+                                                     {0, "v/1\x01", "OpenEXR"},
+                                                     {0, "#?RADIANCE", "Radiance HDR"},
+                                                     {4, "ftypavif", "AVIF"}}};
 
 /// Limit of the format.
 constexpr std::uint32_t kMaxSideOfPng = 0x7FFFFFFF;
@@ -137,6 +155,12 @@ Result<RgbImage> decode_image(std::span<const std::uint8_t> file) {
   if (is_webp(file)) return decode_webp(file);
   if (is_bitmap(file)) return decode_bitmap_or_targa(file, "BMP");
   if (is_targa(file)) return decode_bitmap_or_targa(file, "TGA");
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  for (const OtherFormat& other : kOtherFormats) {
+    if (text.size() < other.at || !text.substr(other.at).starts_with(other.bytes)) continue;
+    return Failure{ExitStatus::input,
+                   fmt::format("is a picture in {}; PNG, JPEG, WebP, BMP and TGA are read", other.name)};
+  }
   return Failure{ExitStatus::input, "is not a picture in PNG, JPEG, WebP, BMP or TGA"};
 }
 

@@ -262,6 +262,17 @@ TEST(Decode, OtherBytesAreRefused) {
   EXPECT_FALSE(decode_image({}));
 }
 
+TEST(Decode, OtherFormatsAreNamed) {
+  const auto said = [](std::string_view text) {
+    const auto image = decode_image({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return image ? "" : image.failure().message;
+  };
+  EXPECT_EQ(said("\xABKTX 20\xBB\r\n\x1A\n"), "is a picture in KTX 2; PNG, JPEG, WebP, BMP and TGA are read");
+  EXPECT_EQ(said(std::string("\0\0\0\x20", 4) + "ftypavif"),
+            "is a picture in AVIF; PNG, JPEG, WebP, BMP and TGA are read");
+  EXPECT_EQ(said("abc"), "is not a picture in PNG, JPEG, WebP, BMP or TGA");
+}
+
 TEST(Resample, PowersOfTwoAreLeftAlone) {
   const RgbImage image{2, 1, {1, 2, 3, 4, 5, 6}};
   EXPECT_EQ(resample_to_power_of_two(image).rgb, image.rgb);

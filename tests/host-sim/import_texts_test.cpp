@@ -160,6 +160,22 @@ TEST_F(Import, PlacesOfObjFarAwayKeepTheirDigits) {
 }
 
 /// Files with comments behind faces were refused, and of several files of materials in a line none was found.
+/// Assimp's readers have floats. Georeferenced files were drawn with corners in wrong places, or told to be damaged.
+TEST_F(Import, PlacesTooFarAwayForAReaderAreSaid) {
+  const auto off = [this](const std::string& digits) {
+    std::string text = "OFF\n3 1 0\n";
+    for (const char* corner : {"0 5 0", "1 5 0", "0 6 0"}) text += digits + corner + "\n";
+    return file("a.off", text + "3 0 1 2\n");
+  };
+  EXPECT_TRUE(model(off("")).warnings.empty());
+  EXPECT_TRUE(model(off("100")).warnings.empty());
+  const std::vector<std::string> warnings = model(off("40000")).warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("corners rounded by up to 0.024 units"), std::string::npos) << warnings[0];
+  const std::string said = failure(off("400000000"));
+  EXPECT_NE(said.find("so far from the origin"), std::string::npos) << said;
+}
+
 TEST_F(Import, CommentsBehindNumbersAndSeveralFilesOfMaterialsAreRead) {
   file("a.mtl", "newmtl a\nKd 1 0 0\n");
   file("b.mtl", "newmtl b\nKd 0 1 0\n");

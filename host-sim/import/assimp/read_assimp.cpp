@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <new>
 #include <span>
@@ -150,7 +151,13 @@ class Collector {
   Texcoords texcoords_;
   SourceModel& model_;
   MeshGroups groups_;
+  static constexpr float kFarthest = std::numeric_limits<float>::max();
+  aiVector3D low_{kFarthest, kFarthest, kFarthest}, high_ = -low_;  ///< of all corners, as Assimp has them
+  double rounding_ = 0;  ///< the most by which it rounded one of their numbers
 };
+
+/// A model is coarse if its size is fewer steps of rounding.
+constexpr double kCoarsest = 500;
 
 Result<Done> Collector::collect() {
   std::vector<std::pair<const aiNode*, Affine>> open;
@@ -169,7 +176,19 @@ Result<Done> Collector::collect() {
       open.emplace_back(node->mChildren[child], transform * affine_of(node->mChildren[child]->mTransformation));
     }
   }
-  return groups_.finish();
+  const Result<Done> finished = groups_.finish();
+  const double size = std::max({high_.x - low_.x, high_.y - low_.y, high_.z - low_.z, 0.0F});
+  if (kCoarsest * rounding_ <= size) return finished;
+  if (!finished) {
+    return Failure{ExitStatus::input,
+                   "lies so far from the origin that its corners are rounded to one place; move it to the origin, or "
+                   "export it as .glb, .obj or .ply"};
+  }
+  model_.warnings.push_back(fmt::format(
+      "corners rounded by up to {:.2g} units: the model lies far from the origin; move it there, or export it as "
+      ".glb, .obj or .ply",
+      rounding_));
+  return finished;
 }
 
 SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatrix3x3& normal_transform,
@@ -218,6 +237,12 @@ Result<Done> Collector::add(const aiMesh& mesh, const Affine& transform) {
   to.vertices.reserve(mesh.mNumVertices);
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     const aiVector3D& at = mesh.mVertices[i];
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (!std::isfinite(at[axis])) continue;
+      low_[axis] = std::min(low_[axis], at[axis]);
+      high_[axis] = std::max(high_[axis], at[axis]);
+      rounding_ = std::max(rounding_, std::abs(double{at[axis]}) * std::numeric_limits<float>::epsilon() / 2);
+    }
     const Affine place = at_rest.empty() ? transform : affine_of(at_rest[i]);
     to.positions.push_back(place * Vector{double{at.x} + files_.origin[0], double{at.y} + files_.origin[1],
                                           double{at.z} + files_.origin[2]});
