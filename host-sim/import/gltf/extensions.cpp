@@ -29,8 +29,11 @@ constexpr std::string_view kTechnique = "KHR_technique_webgl";
 struct Lacking {
   std::string_view name, what;
 };
-constexpr std::array<Lacking, 12> kLacking{{
+constexpr std::array<Lacking, 20> kLacking{{
+    {"EXT_instance_features", "data about copies"},
     {"EXT_lights_image_based", "light of an environment"},
+    {"EXT_mesh_features", "data about parts"},
+    {"EXT_structural_metadata", "data about parts"},
     {"KHR_animation_pointer", "animations of materials, lights and cameras"},
     {"KHR_materials_anisotropy", "brushed highlights"},
     {"KHR_materials_clearcoat", "coats of varnish"},
@@ -42,6 +45,11 @@ constexpr std::array<Lacking, 12> kLacking{{
     {"KHR_materials_volume", "depth of glass"},
     {kTechnique, "shaders of its own"},
     {"KHR_texture_basisu", "pictures in KTX 2"},
+    {"VRM", "looks and springs of avatars"},
+    {"VRMC_materials_mtoon", "shading of cartoons"},
+    {"VRMC_node_constraint", "joints that follow others"},
+    {"VRMC_springBone", "springs of hair and clothes"},
+    {"VRMC_vrm", "looks of avatars"},
 }};
 
 std::set<std::string> names_in(const GltfJson& json, const char* key) {
