@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "image/resample.hpp"
+#include "import/surface.hpp"
 #include "text/text.hpp"
 
 namespace zstrip::sim {
@@ -44,10 +47,85 @@ RgbImage sum_of(const SourceMaterial& material, const RgbImage* base, const RgbI
   return sum;
 }
 
+/// Returns the sum of a picture's channels at texture coordinates, as a share of white.
+double brightness_at(const RgbImage& image, const std::array<TextureWrap, 2>& wrap,
+                     const std::array<std::uint8_t, 3>& colour, const std::array<double, 2>& texcoord) {
+  const auto texel = [&](std::size_t axis, std::uint32_t side) {
+    const double at = wrap[axis] == TextureWrap::clamp ? std::clamp(texcoord[axis], 0.0, 0.999999)
+                                                       : texcoord[axis] - std::floor(texcoord[axis]);
+    return std::min(static_cast<std::uint32_t>(at * side), side - 1);
+  };
+  const std::uint8_t* const pixel = image.pixel(texel(0, image.width), texel(1, image.height));
+  double sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) sum += pixel[c] * colour[c];
+  return sum / (3.0 * 255 * 255);
+}
+
+/// The light of a triangle: reflected by its base colour, and its own.
+struct Glow {
+  double base = 0, emission = 0;
+};
+
+/// Returns the means of four places of a triangle. `base`: null for the colour alone.
+Glow glow_of(const SourceMesh& mesh, std::size_t first, const SourceMaterial& material, const RgbImage* base,
+             const RgbImage& emission) {
+  constexpr std::array<std::array<double, 3>, 4> kPlaces{
+      {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.8, 0.1, 0.1}, {0.1, 0.8, 0.1}, {0.1, 0.1, 0.8}}};
+  static const RgbImage kWhite{1, 1, {255, 255, 255}};
+  Glow glow;
+  for (const auto& place : kPlaces) {
+    std::array<double, 2> at{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto& texcoord = mesh.vertices[mesh.indices[first + corner]].texcoord;
+      for (std::size_t axis = 0; axis < 2; ++axis) at[axis] += place[corner] * double{texcoord[axis]};
+    }
+    if (!std::isfinite(at[0]) || !std::isfinite(at[1])) return {};
+    glow.base += brightness_at(base == nullptr ? kWhite : *base, material.wrap, material.colour, at) / kPlaces.size();
+    glow.emission += brightness_at(emission, material.wrap, material.emissive, at) / kPlaces.size();
+  }
+  return glow;
+}
+
+/// Gives triangles that glow more than they reflect an unlit material. Returns true if others glow visibly.
+bool part_glowing(SourceModel& model, std::uint32_t index, const SourceMaterial& before, const RgbImage& emission) {
+  constexpr double kSeen = 0.1;
+  const RgbImage* const base = before.texture == kNoSourceTexture ? nullptr : &model.textures[before.texture];
+  bool others = false;
+  std::vector<SourceMesh> parts;
+  for (SourceMesh& mesh : model.meshes) {
+    if (mesh.material != index || !mesh.has_texcoords) continue;
+    std::vector<std::uint32_t> lit, glowing;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+      const Glow glow = glow_of(mesh, i, before, base, emission);
+      const bool glows = glow.emission > std::max(glow.base, kSeen);
+      others = others || (!glows && glow.emission > kSeen);
+      std::vector<std::uint32_t>& to = glows ? glowing : lit;
+      to.insert(to.end(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(i),
+                mesh.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
+    }
+    if (glowing.empty()) continue;
+    SourceMesh part = mesh;
+    part.material = static_cast<std::uint32_t>(model.materials.size());
+    part.indices = std::move(glowing);
+    weld(part);
+    mesh.indices = std::move(lit);
+    if (!mesh.indices.empty()) weld(mesh);
+    parts.push_back(std::move(part));
+  }
+  if (parts.empty()) return others;
+  SourceMaterial unlit = model.materials[index];
+  unlit.lit = false;
+  model.materials.push_back(std::move(unlit));
+  std::erase_if(model.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });
+  model.meshes.insert(model.meshes.end(), parts.begin(), parts.end());
+  return others;
+}
+
 }  // namespace
 
 void show_emission(SourceModel& model) {
-  for (SourceMaterial& material : model.materials) {
+  for (std::uint32_t i = 0; i < model.materials.size(); ++i) {
+    SourceMaterial& material = model.materials[i];
     const std::uint32_t emission = std::exchange(material.emissive_texture, kNoSourceTexture);
     if (emission == kNoSourceTexture || emission == material.texture || !material.lit) continue;
     const bool textured = material.texture != kNoSourceTexture;
@@ -55,15 +133,17 @@ void show_emission(SourceModel& model) {
       material.texture = emission;
       continue;
     }
+    const SourceMaterial before = material;
     RgbImage sum = sum_of(material, textured ? &model.textures[material.texture] : nullptr, model.textures[emission]);
     material.texture = static_cast<std::uint32_t>(model.textures.size());
     model.textures.push_back(std::move(sum));
     model.texture_names.push_back(model.texture_names[emission]);
     material.colour = kAllLight;
     material.emissive = kNoLight;
+    if (!part_glowing(model, i, before, model.textures[emission])) continue;
     model.warnings.push_back(
         fmt::format("material '{}' drawn with its emission lit like the rest of it: it has a texture of its own",
-                    printable(material.name)));
+                    printable(before.name)));
   }
 }
 

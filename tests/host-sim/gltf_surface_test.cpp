@@ -212,7 +212,14 @@ TEST_F(GltfSurface, EmissionThatAloneIsSeenHasItsTexture) {
   const std::string glowing = square("{" + emission + "," + black + "}", kWhole, kBrick);
   EXPECT_TRUE(model(glowing).warnings.empty());
   expect_near(seen(glowing, kInFront), {200, 100, 50});
-  // Beside a colour it is added to that, and lit with it: said.
+  // Brighter than its base colour it is not lit, from whichever side the light comes.
+  const std::string dark = R"("pbrMetallicRoughness":{"baseColorFactor":[0.002,0.002,0.002,1]})";
+  const Model screen = model(square("{" + emission + "," + dark + "}", kWhole, kBrick));
+  EXPECT_TRUE(screen.warnings.empty());
+  ASSERT_EQ(screen.instances.size(), 1U);
+  EXPECT_FALSE(screen.materials[screen.instances[0].material].lit);
+  expect_near(seen(square("{" + emission + "," + dark + "}", kWhole, kBrick), kInFront), {207, 107, 57});
+  // Beside a bright colour it is added to that, and lit with it: said.
   const Model lit = model(square(R"({"name":"lamp",)" + emission + "}", kWhole, kBrick));
   ASSERT_EQ(lit.warnings.size(), 1U);
   EXPECT_NE(lit.warnings[0].find("material 'lamp' drawn with its emission lit"), std::string::npos) << lit.warnings[0];
