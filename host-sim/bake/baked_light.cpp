@@ -16,6 +16,8 @@ bool can_hold_light(const Scene& scene, const Mesh& mesh, const Material& materi
   if (mesh.billboard != Billboard::none || mesh.outline != 0 || mesh.skinning != nullptr) return false;
   if (material.finish == kNoFinish) return true;
   const Finish& finish = scene.finishes[material.finish];
+  // An unlit material of another alpha multiplies colours of vertices, which rounds them.
+  if (finish.alpha_mode != AlphaMode::opaque && material.colour.a != 255) return false;
   constexpr Colour kBlack{0, 0, 0, 255};
   return finish.emissive == kBlack && finish.specular == kBlack && !is_environment(finish.filter);
 }
@@ -79,7 +81,7 @@ LightBakedScene::LightBakedScene(const Scene& scene, std::set<std::size_t> kept)
       }
       Material& material = materials_[known->second];
       material.lit = false;
-      material.colour = {255, 255, 255, material.colour.a};
+      material.colour = {255, 255, 255, 255};
     }
     instance.material = known->second;
   }

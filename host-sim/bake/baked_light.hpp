@@ -12,8 +12,9 @@ namespace zstrip::sim {
 
 /// A scene whose directional and ambient light is in the colours of its vertices, which then have no normals. At rest
 /// it has the same pixels. An instance stays lit if colours of vertices cannot hold its light: with a texture, light at
-/// pixels, a highlight, emission, an outline, as a billboard, or if another instance shows the mesh in other light.
-/// Nothing changes in scenes with point or spot lights, shadows or CSG. Refers to the arrays of the original scene.
+/// pixels, a highlight, emission, an outline, an alpha below 255 that is used, as a billboard, or if another instance
+/// shows the mesh in other light. Nothing changes in scenes with point or spot lights, shadows or CSG. Refers to the
+/// arrays of the original scene.
 class LightBakedScene {
  public:
   /// `kept`: meshes whose instances stay lit, because they move.

@@ -365,16 +365,9 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
   const MipmappedScene mipmapped(unmoved.scene(), mipmap_choice(arguments.mipmaps));
   const PalettedScene paletted(mipmapped.scene(), texture_choice(arguments.textures));
   at_rest.scene = paletted.scene();
-  std::optional<BlobCharacters> characters;
-  if (!output_skins->clips.empty()) {
-    characters.emplace(at_rest.scene, skins, output_skins->clips);
-    if (const Result<Done> posed = characters->pose_all(); !posed) {
-      return Failure{posed.failure().status, fmt::format("'{}': {}", arguments.scene, posed.failure().message)};
-    }
-    at_rest.scene = characters->scene();
-  }
-  Result<Turn> turn = characters ? Result<Turn>(Turn{.what = Turning::nothing})
-                                 : turn_of(**stage, request->method, turntable, *staging);
+  const bool has_clips = !output_skins->clips.empty();
+  Result<Turn> turn =
+      has_clips ? Result<Turn>(Turn{.what = Turning::nothing}) : turn_of(**stage, request->method, turntable, *staging);
   if (!turn) return turn.failure();
   std::optional<LightBakedScene> lit;
   if (arguments.lighting == "baked") {
@@ -382,6 +375,14 @@ Result<Done> bake(const BakeArguments& arguments, const BakeTrial* trial) {
     at_rest.scene = lit->scene();
     const bool all_turn = turn->what != Turning::nothing && turn->still_instances == 0;
     if (lit->baked() > 0 && all_turn) turn = Turn{.what = Turning::camera};
+  }
+  std::optional<BlobCharacters> characters;  // whose skins refer to meshes by their address, so that it comes last
+  if (has_clips) {
+    characters.emplace(at_rest.scene, skins, output_skins->clips);
+    if (const Result<Done> posed = characters->pose_all(); !posed) {
+      return Failure{posed.failure().status, fmt::format("'{}': {}", arguments.scene, posed.failure().message)};
+    }
+    at_rest.scene = characters->scene();
   }
   if (for_pico) {
     request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, characters ? &*characters : nullptr,

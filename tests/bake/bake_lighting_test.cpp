@@ -64,5 +64,23 @@ TEST_F(BakedLight, PointLightsShadowsAndWhatMovesStayLit) {
   EXPECT_EQ(crcs("baked.zsc", {}, 4), crcs("drawn.zsc", {}, 4));
 }
 
+/// Skins refer to meshes by their address: blobs of clips could not be opened.
+TEST_F(BakedLight, ClipsOfSkinsAndMorphTargetsMoveAsWithoutIt) {
+  for (const std::string name : {"talker", "walker"}) {
+    const std::string scene = BAKE_MODELS "/" + name + ".toml";
+    bake(scene, "drawn"), bake(scene, "baked");
+    EXPECT_EQ(crcs("baked.zsc", {}, 4), crcs("drawn.zsc", {}, 4)) << name;
+  }
+}
+
+/// An unlit material of another alpha than 255 rounds colours of vertices: pixels were darker by one step.
+TEST_F(BakedLight, TranslucentMaterialsStayLit) {
+  const std::string model = textured_sphere(16, 8);
+  file("sphere.mtl", "newmtl upper\nKd 0.7 0.3 0.1\nd 0.6\nnewmtl lower\nKd 0.7 0.3 0.1\n");
+  bake(model, "drawn");
+  EXPECT_EQ(bake(model, "baked").at("light_baked"), 1);
+  EXPECT_EQ(crcs("baked.zsc", {}, 1), crcs("drawn.zsc", {}, 1));
+}
+
 }  // namespace
 }  // namespace zstrip::sim::test
