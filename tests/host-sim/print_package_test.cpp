@@ -178,6 +178,22 @@ TEST_F(PrintPackage, SizesOfZip64AreRead) {
   for (std::size_t length = 0; length + 22 < zip.size(); length += 5) failure(file("bad.3mf", zip.substr(0, length)));
 }
 
+/// Places near 2^64 were an internal error.
+TEST_F(PrintPackage, PlacesOfZip64BeyondTheFileAreDamage) {
+  const std::string part = part_of("<object id='1'>" + mesh_of() + "</object>", "<item objectid='1'/>");
+  const std::string zip = zip_of({{"3D/3dmodel.model", part}}, true, true);
+  const std::size_t listed = zip.find("PK\1\2"), end = zip.find("PK\6\6"), place = zip.find("PK\6\7");
+  for (const std::size_t at : {end - 8, end + 48, place + 8}) {
+    for (const std::size_t before : {1U, 10U, 30U, 46U}) {
+      failure(file("bad.3mf", std::string(zip).replace(at, 8, number(0 - before, 8))));
+    }
+  }
+  // More than 65,534 files: only their number has 64 bits.
+  std::string many = zip;
+  many.replace(many.size() - 14, 4, number(0xFFFFFFFF, 4)).replace(many.size() - 6, 4, number(listed, 4));
+  EXPECT_EQ(triangles(model(file("m.3mf", many), UpAxis::plus_y)).size(), 1U);
+}
+
 TEST_F(PrintPackage, ExtensionsThatAreNotDrawnAreNamed) {
   const std::string lattice = "<mesh>" + kVertices + "<b:beamlattice><b:beams/></b:beamlattice></mesh>";
   EXPECT_EQ(one_part("<object id='1'>" + mesh_of() + "</object><object id='2'>" + lattice + "</object>",

@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kEnd = "PK\5\6", kListed = "PK\1\2", kLocal = "PK\3\4";
 constexpr std::string_view kWideEnd = "PK\6\6", kWideEndPlace = "PK\6\7";  // of zip64
 constexpr unsigned kStored = 0, kDeflated = 8;
-constexpr std::size_t kIsWide = 0xFFFFFFFF;  // the number has 64 bits and stands elsewhere
+constexpr std::size_t kIsWide = 0xFFFFFFFF, kIsWideCount = 0xFFFF;  // the number has 64 bits and stands elsewhere
 
 Failure damaged(std::string reason) { return {ExitStatus::input, std::move(reason)}; }
 
@@ -76,14 +76,14 @@ Result<ZipArchive> ZipArchive::open(std::string_view bytes) {
   const std::size_t end = bytes.rfind(kEnd);
   if (end == std::string_view::npos) return damaged("it is not a zip archive, or its end is missing");
   std::optional<std::size_t> count = number_at(bytes, end + 10, 2), listed = number_at(bytes, end + 16, 4);
-  if (listed == kIsWide && end >= 20 && bytes.substr(end - 20).starts_with(kWideEndPlace)) {
+  if ((listed == kIsWide || count == kIsWideCount) && end >= 20 && bytes.substr(end - 20).starts_with(kWideEndPlace)) {
     const std::size_t wide = number_at(bytes, end - 12, 8).value_or(bytes.size());
     if (wide < bytes.size() && bytes.substr(wide).starts_with(kWideEnd)) {
       count = number_at(bytes, wide + 32, 8), listed = number_at(bytes, wide + 48, 8);
     }
   }
   if (!count || !listed) return damaged("its list of files is cut off");
-  std::size_t at = *listed;
+  std::size_t at = std::min(*listed, bytes.size());
   for (std::size_t i = 0; i < *count; ++i) {
     const auto field = [&](std::size_t offset, std::size_t size) { return number_at(bytes, at + offset, size); };
     const std::optional<std::size_t> last = field(42, 4);
@@ -92,6 +92,7 @@ Result<ZipArchive> ZipArchive::open(std::string_view bytes) {
     if (bytes.size() - at < 46 + name) return damaged("its list of files is damaged");
     Entry entry{static_cast<unsigned>(*field(10, 2)), *last, *field(20, 4), *field(24, 4)};
     widen(bytes.substr(at + 46 + name).substr(0, *field(30, 2)), {&entry.unpacked, &entry.packed, &entry.offset});
+    entry.offset = std::min(entry.offset, bytes.size());
     archive.entries_.emplace(plain_name(bytes.substr(at + 46, name)), entry);
     at += 46 + name + skipped;
   }
