@@ -121,6 +121,18 @@ bool part_glowing(SourceModel& model, std::uint32_t index, const SourceMaterial&
   return others;
 }
 
+/// Gives meshes without texture coordinates, which show no texel, a material with the colour from before.
+void keep_colour_without_texcoords(SourceModel& model, std::uint32_t index, const SourceMaterial& before) {
+  const auto count = static_cast<std::uint32_t>(model.materials.size());
+  for (SourceMesh& mesh : model.meshes) {
+    if (mesh.material == index && !mesh.has_texcoords) mesh.material = count;
+  }
+  if (std::ranges::none_of(model.meshes, [&](const SourceMesh& mesh) { return mesh.material == count; })) return;
+  SourceMaterial plain = model.materials[index];
+  plain.colour = before.colour;
+  model.materials.push_back(std::move(plain));
+}
+
 }  // namespace
 
 void show_emission(SourceModel& model) {
@@ -140,6 +152,7 @@ void show_emission(SourceModel& model) {
     model.texture_names.push_back(model.texture_names[emission]);
     material.colour = kAllLight;
     material.emissive = kNoLight;
+    keep_colour_without_texcoords(model, i, before);
     if (!part_glowing(model, i, before, model.textures[emission])) continue;
     model.warnings.push_back(
         fmt::format("material '{}' drawn with its emission lit like the rest of it: it has a texture of its own",

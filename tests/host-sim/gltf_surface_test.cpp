@@ -225,6 +225,20 @@ TEST_F(GltfSurface, EmissionThatAloneIsSeenHasItsTexture) {
   EXPECT_NE(lit.warnings[0].find("material 'lamp' drawn with its emission lit"), std::string::npos) << lit.warnings[0];
 }
 
+/// They were drawn white.
+TEST_F(GltfSurface, MeshesWithoutTexcoordsKeepTheirColourBesideEmission) {
+  const std::string green =
+      R"({"pbrMetallicRoughness":{"baseColorFactor":[0,0.5,0,1]},"emissiveFactor":[1,1,1],"emissiveTexture":{"index":0}})";
+  std::string text = square(green, kWhole, kBrick);
+  const std::string texcoords = R"(,"TEXCOORD_0":2)";
+  const Model plain = model(text.erase(text.find(texcoords), texcoords.size()));
+  ASSERT_EQ(plain.instances.size(), 1U);
+  const Material& material = plain.materials[plain.instances[0].material];
+  EXPECT_EQ(material.colour.r, 0);
+  EXPECT_EQ(material.colour.g, 188);
+  EXPECT_TRUE(material.lit);
+}
+
 /// Normal and occlusion maps were left out.
 class GltfSurfaceDetail : public GltfSurface {
  protected:
