@@ -159,7 +159,6 @@ TEST_F(Import, PlacesOfObjFarAwayKeepTheirDigits) {
   EXPECT_EQ(up.units.origin, (std::array<double, 3>{40000000.6875, 7, 5000001.5}));
 }
 
-/// Files with comments behind faces were refused, and of several files of materials in a line none was found.
 /// Assimp's readers have floats. Georeferenced files were drawn with corners in wrong places, or told to be damaged.
 TEST_F(Import, PlacesTooFarAwayForAReaderAreSaid) {
   const auto off = [this](const std::string& digits) {
@@ -174,8 +173,12 @@ TEST_F(Import, PlacesTooFarAwayForAReaderAreSaid) {
   EXPECT_NE(warnings[0].find("corners rounded by up to 0.024 units"), std::string::npos) << warnings[0];
   const std::string said = failure(off("400000000"));
   EXPECT_NE(said.find("so far from the origin"), std::string::npos) << said;
+  // A model without a size was said to be far away, too.
+  const std::string point = failure(file("a.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n"));
+  EXPECT_NE(point.find("; if it lies so far"), std::string::npos) << point;
 }
 
+/// Files with comments behind faces were refused, and of several files of materials in a line none was found.
 TEST_F(Import, CommentsBehindNumbersAndSeveralFilesOfMaterialsAreRead) {
   file("a.mtl", "newmtl a\nKd 1 0 0\n");
   file("b.mtl", "newmtl b\nKd 0 1 0\n");

@@ -180,9 +180,10 @@ Result<Done> Collector::collect() {
   const double size = std::max({high_.x - low_.x, high_.y - low_.y, high_.z - low_.z, 0.0F});
   if (kCoarsest * rounding_ <= size) return finished;
   if (!finished) {
-    return Failure{ExitStatus::input,
-                   "lies so far from the origin that its corners are rounded to one place; move it to the origin, or "
-                   "export it as .glb, .obj or .ply"};
+    return Failure{finished.failure().status,
+                   finished.failure().message +
+                       "; if it lies so far from the origin that its corners are rounded to one place, move it to the "
+                       "origin, or export it as .glb, .obj or .ply"};
   }
   model_.warnings.push_back(fmt::format(
       "corners rounded by up to {:.2g} units: the model lies far from the origin; move it there, or export it as "
