@@ -12,13 +12,16 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 namespace zstrip::sim {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Appends what arrives until the other end closes; false when `deadline` passes first.
+constexpr std::size_t kMaxText = std::size_t{64} << 20;
+
+// Appends what arrives until the other end closes, at most kMaxText; false when `deadline` passes first.
 bool read_until_closed(int descriptor, Clock::time_point deadline, std::string& text) {
   std::array<char, 4096> buffer{};
   for (;;) {
@@ -28,7 +31,7 @@ bool read_until_closed(int descriptor, Clock::time_point deadline, std::string& 
     if (poll(&waiting, 1, static_cast<int>(left)) <= 0) continue;
     const ssize_t count = read(descriptor, buffer.data(), buffer.size());
     if (count == 0 || (count < 0 && errno != EINTR)) return true;
-    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (count > 0 && text.size() < kMaxText) text.append(buffer.data(), static_cast<std::size_t>(count));
   }
 }
 
@@ -59,13 +62,19 @@ Result<ChildOutput> run_program(const std::vector<std::string>& arguments, std::
   }
 
   ChildOutput output;
-  const bool in_time = read_until_closed(ends[0], Clock::now() + limit, output.text);
+  const Clock::time_point deadline = Clock::now() + limit;
+  bool in_time = read_until_closed(ends[0], deadline, output.text);
   close(ends[0]);
-  if (!in_time) kill(child, SIGKILL);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  // A program may close its output and go on.
+  while (in_time && waitpid(child, &status, WNOHANG) == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    in_time = Clock::now() < deadline;
   }
   if (!in_time) {
+    kill(child, SIGKILL);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
     return Failure{ExitStatus::environment, fmt::format("{} did not end within {} s", arguments[0], limit.count())};
   }
   output.exit_status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);

@@ -11,7 +11,7 @@ namespace zstrip::sim {
 
 struct ChildOutput {
   int exit_status = 0;  ///< 128 + signal if a signal ended it
-  std::string text;     ///< standard output and standard error, in the order of arrival
+  std::string text;     ///< standard output and standard error, in the order of arrival; the first 64 MiB
 };
 
 /// `arguments[0]` is looked for in PATH. Standard input is empty. A program that is not there, or that runs longer than

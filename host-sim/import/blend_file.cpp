@@ -57,13 +57,17 @@ ExportedBlend export_blend(const std::filesystem::path& path, std::chrono::secon
   if (error || folder.path().empty()) return {{}, "there is no folder for temporary files"};
   const std::filesystem::path output = folder.path() / "scene.glb";
   if (!run_program({"blender", "--version"}, limit)) return {};
-  const Result<ChildOutput> done =
-      run_program({"blender", "--background", "--factory-startup", "--disable-autoexec", "--python-exit-code", "1",
-                   whole.string(), "--python-expr", kExport, "--", output.string()},
-                  limit);
-  if (!done) return {{}, done.failure().message};
+  // If the time is up, the program cannot remove its own temporary files.
+  const Result<ChildOutput> done = run_program(
+      {"env", "TMPDIR=" + folder.path().string(), "blender", "--background", "--factory-startup", "--disable-autoexec",
+       "--python-exit-code", "1", whole.string(), "--python-expr", kExport, "--", output.string()},
+      limit);
+  if (!done) return {{}, fmt::format("it did not end within {} s", limit.count())};
   const auto says = [&](const char* words) { return done->text.find(words) != std::string::npos; };
   if (says("No module named 'numpy'")) return {{}, "its exporter needs numpy, in Debian the package python3-numpy"};
+  if (says("Failed to read blend file") || says("File format is not supported")) {
+    return {{}, "it cannot read the file, which is damaged or of a newer release"};
+  }
   Result<std::vector<std::uint8_t>> glb = read_file(output);
   if (done->exit_status != 0 || !glb) return {{}, fmt::format("it ended with status {}", done->exit_status)};
   ExportedBlend exported{std::move(*glb)};

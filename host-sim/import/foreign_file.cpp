@@ -36,7 +36,7 @@ std::optional<std::string> packed_kind(std::string_view begin, std::string_view 
     if (ending == ".blend") {
       // Assimp unpacks files that gzip packed.
       if (magic.starts_with("\x1F\x8B")) return std::nullopt;
-      return fmt::format("is {}; save it in Blender without compression, or export it as .glb", name);
+      return fmt::format("is {}, which only the program blender reads: install it, or export the file as .glb", name);
     }
     return fmt::format("is {}; {}", name, kUnpack);
   }
@@ -105,7 +105,7 @@ std::optional<std::string> foreign_kind(std::string_view begin, std::string_view
   if (ending == ".blend") {
     if (auto too_new = new_blend(begin)) return too_new;
   }
-  if (ending == ".wrl" || begin.starts_with("#VRML")) {
+  if (ending == ".wrl" || begin.starts_with("#VRML V")) {
     return "is VRML, which is not read; export it as .x3d or .glb, for example with Blender";
   }
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kPictures{{{"\x89PNG\r\n"sv, "PNG"},

@@ -158,7 +158,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
       return unreadable_model("it asks for more memory than a file of its size may");
     }
   }();
-  if (!model) return named(model.failure().message);
+  if (!model) return named(model.failure().message + (why.empty() ? "" : "; " + why));
   model->warnings.insert(model->warnings.end(), blend.warnings.begin(), blend.warnings.end());
   return model;
 }

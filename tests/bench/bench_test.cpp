@@ -89,6 +89,19 @@ TEST(ChildProcess, IsEndedWhenTheTimeIsUp) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds{20});
 }
 
+TEST(ChildProcess, IsEndedIfItClosesItsOutputAndGoesOn) {
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(run_program({"sh", "-c", "exec >/dev/null 2>&1 sleep 30"}, seconds{1}));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds{20});
+}
+
+TEST(ChildProcess, MuchOutputIsCutOff) {
+  const Result<ChildOutput> output = run_program({"head", "-c", "100000000", "/dev/zero"}, seconds{60});
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->exit_status, 0);
+  EXPECT_LT(output->text.size(), 70'000'000U);
+}
+
 TEST(ElfSize, RefusesWhatIsNoProgram) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "zstrip_not_an_elf";
   std::ofstream(file) << "\x7f"
