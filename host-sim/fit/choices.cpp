@@ -154,6 +154,20 @@ std::vector<ViewArguments> smoothings(const ViewArguments& given) {
   return {given, plain};
 }
 
+/// Flash, frames a second and effects of a combination whose light is drawn.
+struct DrawnLight {
+  std::uint64_t flash = 0;
+  double rate = 0;
+  Effects effects;
+};
+
+/// True if baked light saves flash, a hundredth of the time or the code for light.
+bool pays(const FitChoice& baked, Effects effects, const DrawnLight& drawn) {
+  constexpr double kFaster = 1.01;
+  return baked.flash < drawn.flash || baked.rate.least > kFaster * drawn.rate ||
+         (effects & effect::lighting) != (drawn.effects & effect::lighting);
+}
+
 /// Returns the same number for differences that look the same: by less than a tenth, or below a quarter of a step.
 double look_of(const FitChoice& choice) {
   constexpr double kMinSeen = 0.25, kStep = 1.1;
@@ -195,6 +209,7 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
     for (std::size_t t = 0; t < sides.size(); ++t) {
       std::unique_ptr<Stage> stage;
       bool has_light = false;  // that colours of vertices can hold
+      DrawnLight drawn;
       const std::size_t pictures = palettes.size() * views.size() * lods.size();
       for (std::size_t each = 0; each < pictures * std::size(kLightings); ++each) {
         const std::size_t p = each / std::size(kLightings), light = each % std::size(kLightings);
@@ -209,13 +224,17 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
         if (sides[t]) arguments.camera.reduction.texture_size = std::to_string(*sides[t]);
         arguments.textures = palettes[p % palettes.size()];
         std::optional<FitChoice> choice;
+        Effects effects;
         // The memory does not limit the first choice, because the others are compared with it.
         const bool is_whole = found.tried == 0;
         const BakeTrial trial{&stage, [&](const BakedScene& baked, const BakeRecord& record) -> Result<Done> {
                                 Result<FitChoice> one = measured(arguments, board, baked, record);
                                 if (!one) return one.failure();
                                 choice = std::move(*one);
+                                effects = baked.effects;
                                 has_light = LightBakedScene(baked.scene, {}).baked() > 0;
+                                if (s == 1 && record.reduced && !record.reduced->in_file.keeps_limit)
+                                  found.triangles_stay = true;
                                 return Done{};
                               }};
         if (is_whole) {
@@ -253,7 +272,12 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
           refused = done.failure();
           continue;
         }
-        choice->textures = texture_words(arguments);
+        if (light == 0) {
+          drawn = {choice->flash, choice->rate.least, effects};
+        } else if (!pays(*choice, effects, drawn)) {
+          continue;
+        }
+        choice->textures = sides.size() > 1 ? texture_words(arguments) : "none";
         choice->triangles = *shares[s] == '\0' ? "all" : shares[s];
         if (arguments.camera.reduction.lod) choice->triangles += ", lod";
         choice->smoothing = smoothing_words(arguments.plan.view);
@@ -263,8 +287,9 @@ Result<FitSearch> search(const BakeArguments& base, const BoardModel& board, con
           found.choices.push_back(std::move(*choice));
         } else if (excess.factor < nearest || found.nearest.empty()) {
           nearest = excess.factor;
-          found.nearest = fmt::format("the nearest, with textures {} and {} of the triangles, {}", choice->textures,
-                                      choice->triangles, excess.words);
+          const std::string textures = sides.size() > 1 ? fmt::format("textures {} and ", choice->textures) : "";
+          found.nearest =
+              fmt::format("the nearest, with {}{} of the triangles, {}", textures, choice->triangles, excess.words);
         }
       }
     }

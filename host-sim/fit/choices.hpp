@@ -40,6 +40,7 @@ struct FitSearch {
   RgbImage whole;                  ///< the picture of the model as it is
   std::vector<FitChoice> choices;  ///< keep all limits; no other one is better in flash, picture and time. The best
                                    ///< looking first
+  bool triangles_stay = false;     ///< more than half of them, for kTrianglesStay
   std::string nearest;             ///< if there is none: the combination that comes nearest, and what it breaks
 };
 

@@ -24,6 +24,7 @@
 #include "fit/fit_report.hpp"
 #include "image/inputs.hpp"
 #include "image/write_file.hpp"
+#include "import/reduction.hpp"
 #include "text/progress.hpp"
 #include "text/text.hpp"
 
@@ -120,7 +121,10 @@ Result<Done> run(const Arguments& arguments) {
   }();
   if (!found) return found.failure();
   if (found->choices.empty()) {
-    return Failure{ExitStatus::budget, fmt::format("none of {} combinations fits: {}", found->tried, found->nearest)};
+    const std::string stay =
+        found->triangles_stay ? fmt::format("; more than half of the triangles stay: {}", kTrianglesStay) : "";
+    return Failure{ExitStatus::budget,
+                   fmt::format("none of {} combinations fits: {}{}", found->tried, found->nearest, stay)};
   }
   const std::size_t chosen = arguments.choose.value_or(1) - 1;
   if (chosen >= found->choices.size()) {

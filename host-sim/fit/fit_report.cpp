@@ -8,6 +8,7 @@
 
 #include "fit/bake_words.hpp"
 #include "image/rgb_png.hpp"
+#include "import/reduction.hpp"
 #include "text/html.hpp"
 #include "text/number.hpp"
 #include "text/text.hpp"
@@ -43,6 +44,7 @@ std::string fit_table(const FitSearch& found, const BoardModel& board, std::size
                     choice.error_pixels, choice.smoothing, choice.arguments.lighting, grouped(choice.flash),
                     grouped(choice.ram), choice.rate.words(), choice.rms, percent_off(choice));
   }
+  if (found.triangles_stay) text += fmt::format("More than half of the triangles stay: {}.\n", kTrianglesStay);
   return text +
          "Frames a second are an estimate; pixels: how far the surface moved, by the simplifier's measure; rms and "
          "pixels off by more than 24 of 255 are against the whole model. To bake the choice again:\n  " +

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -48,13 +49,9 @@ class OwnFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace
-
-ExportedBlend export_blend(const std::filesystem::path& path, std::chrono::seconds limit) {
-  std::error_code error;
-  const std::filesystem::path whole = std::filesystem::absolute(path, error);
+ExportedBlend run_blender(const std::filesystem::path& whole, std::chrono::seconds limit) {
   const OwnFolder folder;
-  if (error || folder.path().empty()) return {{}, "there is no folder for temporary files"};
+  if (folder.path().empty()) return {{}, "there is no folder for temporary files"};
   const std::filesystem::path output = folder.path() / "scene.glb";
   if (!run_program({"blender", "--version"}, limit)) return {};
   // If the time is up, the program cannot remove its own temporary files.
@@ -75,6 +72,25 @@ ExportedBlend export_blend(const std::filesystem::path& path, std::chrono::secon
     exported.warnings.emplace_back("written by a newer Blender than the installed one, which may lose parts of it");
   }
   return exported;
+}
+
+}  // namespace
+
+ExportedBlend export_blend(const std::filesystem::path& path, std::chrono::seconds limit) {
+  struct Last {
+    std::filesystem::path path;
+    std::filesystem::file_time_type written;
+    ExportedBlend exported;
+  };
+  // Blender takes seconds, and zstrip fit reads a model up to fifty times.
+  static std::optional<Last> last;
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error);
+  const std::filesystem::file_time_type written = std::filesystem::last_write_time(path, error);
+  if (error) return {{}, error.message()};
+  const bool is_known = last && last->path == whole && last->written == written && !last->exported.glb.empty();
+  if (!is_known) last = {whole, written, run_blender(whole, limit)};
+  return last->exported;
 }
 
 }  // namespace zstrip::sim

@@ -16,7 +16,8 @@ struct ExportedBlend {
   std::vector<std::string> warnings{};
 };
 
-/// Runs blender, at most for `limit`, without the user's settings and without scripts of the file.
+/// Runs blender, at most for `limit`, without the user's settings and without scripts of the file. A file that was not
+/// written since the last call is not exported again.
 ExportedBlend export_blend(const std::filesystem::path& path, std::chrono::seconds limit);
 
 }  // namespace zstrip::sim

@@ -86,9 +86,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
     }
     if (!reduced->keeps_limit) {
       source.warnings.push_back(
-          fmt::format("{} are left, more than asked for: three or more materials, directions of a face or parts of a "
-                      "texture meet at their vertices",
-                      counted(reduced->triangles, "triangle")));
+          fmt::format("{} are left, more than asked for: {}", counted(reduced->triangles, "triangle"), kTrianglesStay));
     } else if (reduced->slides) {
       source.warnings.push_back(
           "so few triangles take vertices at which colours, joints or the texture change: they may slide visibly");

@@ -19,6 +19,11 @@ struct Reduction {
   bool removes_triangles() const { return triangles > 0 || triangle_share < 1; }
 };
 
+/// Why triangles stay that exceed a limit, and what the user can do.
+inline constexpr const char* kTrianglesStay =
+    "three or more materials, flat faces or parts of a texture meet at their vertices; a modeller can shade faces "
+    "smooth";
+
 /// The result of removing triangles.
 struct Reduced {
   std::uint64_t triangles_before = 0, triangles = 0;  ///< of the file; back faces that become meshes are not counted

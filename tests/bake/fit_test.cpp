@@ -1,5 +1,7 @@
 // `zstrip fit`: what it states is what is written, what it chooses fits and looks alike, and what does not fit is said.
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 
 #include "reduced_model.hpp"
@@ -145,6 +147,63 @@ TEST_F(Fit, LightGoesIntoColoursOfVerticesWhereThatTakesLessFlash) {
   EXPECT_LT(baked->at("flash_bytes"), drawn->at("flash_bytes"));
   EXPECT_EQ(report(baked->at("bake").get<std::vector<std::string>>()).at("flash_bytes").at("total"),
             baked->at("flash_bytes"));
+}
+
+TEST_F(Fit, BakedLightThatSavesNothingIsNotListed) {
+  sphere();
+  const std::string model = file("plain.obj", read(path("sphere.obj")) +
+                                                  "newmtl plain\nusemtl plain\nv 0 0 0\nv 0 .1 0\nv .1 0 0\n"
+                                                  "f -3 -2 -1\n");
+  for (const Json& choice : fit(model, {"--fps", "1"}).at("choices")) {
+    EXPECT_TRUE(choice.at("lighting") == "drawn" || choice.at("texture_size") == 0) << choice;
+  }
+}
+
+TEST_F(Fit, FlatFacesThatStaySayWhatToDo) {
+  std::string text = "v 0 0 1\nv 0 0 -1\n";
+  for (int i = 0; i < 40; ++i) {
+    const double angle = i * 2 * std::numbers::pi / 40;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+  }
+  for (int i = 0; i < 40; ++i) {
+    const double angle = (i + 0.5) * 2 * std::numbers::pi / 40;
+    for (int side = 0; side < 2; ++side) {
+      text += "vn " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " " +
+              (side == 0 ? "1\n" : "-1\n");
+      const std::string normal = "//" + std::to_string(2 * i + side + 1) + " ";
+      const int here = i + 3, next = (i + 1) % 40 + 3;
+      text += "f " + std::to_string(side + 1) + normal + std::to_string(side == 0 ? here : next) + normal +
+              std::to_string(side == 0 ? next : here) + normal + "\n";
+    }
+  }
+  const std::string model = file("flat.obj", text);
+  const Outcome none = zstrip({"fit", model, "--board", "pico", "--size", "64x48", "--flash", "1K"});
+  EXPECT_EQ(none.status, 5);
+  EXPECT_NE(none.err.find("more than half of the triangles stay: three or more materials, flat faces"),
+            std::string::npos)
+      << none.err;
+  EXPECT_EQ(none.err.find("textures whole"), std::string::npos) << "it has none: " << none.err;
+  const Outcome listed = zstrip({"fit", model, "--board", "pico", "--size", "64x48"});
+  EXPECT_NE(listed.out.find("a modeller can shade faces smooth"), std::string::npos) << listed.out;
+}
+
+TEST_F(Fit, BlenderExportsAFileOnce) {
+  file("blender",
+       "#!/bin/sh\n"
+       "[ \"$1\" = --version ] && exit 0\n"
+       "echo run >>" +
+           path("runs") +
+           "\n"
+           "for last; do :; done\n"
+           "cp " ZSTRIP_SCENE_FILES "/clips/planet.glb \"$last\"\n");
+  std::filesystem::permissions(path("blender"), std::filesystem::perms::owner_all);
+  const std::string model = file("planet.blend", "BLENDER-v304RENDH");
+  const Outcome outcome =
+      run("/usr/bin/env",
+          {"PATH=" + path("") + ":/usr/bin:/bin", ZSTRIP_COMMAND, "fit", model, "--board", "pico", "--size", "48x48"},
+          path(""));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(read(path("runs")), "run\n");
 }
 
 TEST_F(Fit, TheFlashOfTheBoardIsTheLimitWhereNoneIsGiven) {
