@@ -158,8 +158,8 @@ TEST_P(Mps2SelfTest, FaultsAreReported) {
 
 /// The contract of the kernels (tests/kernels): the board knows how many cases that must be.
 TEST_P(Mps2SelfTest, AssemblyIsItsCpp) {
-  for (const std::string kernel :
-       {"transform", "small", "runs", "meshlets", "lists", "strips", "texels", "triangles"}) {
+  for (const std::string kernel : {"transform", "small", "medium", "textured", "runs", "meshlets", "lists", "strips",
+                                   "texels", "triangles", "planes"}) {
     const auto [output, status] = run(GetParam(), "self_test", {"kernel=" + kernel});
     EXPECT_EQ(status, 0) << output;
     EXPECT_TRUE(output.starts_with("self-test: " + kernel + ": ")) << output;

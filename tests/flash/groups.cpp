@@ -62,6 +62,8 @@ constexpr Pattern kPatterns[] = {
     {"set_up", Group::small_triangles},
 
     {"draw_span", Group::spans},
+    {"draw_cut", Group::spans},
+    {"scan_cut_rows", Group::spans},
     {"draw_medium_textured", Group::spans},
     {"begin_textured", Group::spans},
     {"scan_textured", Group::spans},
@@ -78,6 +80,7 @@ constexpr Pattern kPatterns[] = {
     {"walk_", Group::spans},
     {"SpanTriangle", Group::spans},
     {"PlaneSetup", Group::spans},
+    {"WordOrLongPlanes", Group::spans},
     {"EdgeWalk", Group::spans},
     {"floor_of", Group::spans},
     {"signed_area", Group::spans},

@@ -22,6 +22,7 @@ std::span<const Contract> contracts() {
       {"texels", kHasThumb || kHasVectors, compare_textured_runs, 80'000, 28'000, 10'000},
       {"bilinear", true, compare_bilinear, 40'000, 20'000, 100'000},
       {"triangles", kHasThumb || kHasVectors, compare_span_triangles, 63'000, 36'000, 4'000},
+      {"planes", true, compare_triangle_planes, 80'000, 10'000, 4'000},
   };
   return kContracts;
 }

@@ -44,5 +44,6 @@ Outcome compare_spans(std::uint32_t cases);
 Outcome compare_textured_runs(std::uint32_t cases);
 Outcome compare_bilinear(std::uint32_t cases);
 Outcome compare_span_triangles(std::uint32_t cases);
+Outcome compare_triangle_planes(std::uint32_t cases);
 
 }  // namespace zstrip::kernels_test

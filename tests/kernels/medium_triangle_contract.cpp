@@ -1,4 +1,4 @@
-// Medium triangles against the span rasteriser: their planes, then whole ones in strips that cut them above and below.
+// Medium triangles against the span rasteriser: their planes, then whole ones in strips that cut them on all sides.
 // Anywhere in the narrow range, boxes of all sizes, slivers among them, depths and colours that change by little and by
 // all. Textured ones with texture coordinates and distances of all sizes, in each light.
 #include <algorithm>
@@ -75,7 +75,8 @@ bool planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   if (!make(random, 1 << random.between(4, 13), m)) return false;
   if (!fits_words({nowhere.target(0, 0, nullptr), m.v[0], m.v[1], m.v[2], m.area}, m.width, m.height)) return false;
   MediumScan scan{};
-  scan.area = m.area, scan.anchor_x = m.box.left, scan.anchor_y = m.box.top - random.below(2) * random.within(100);
+  scan.area = m.area, scan.anchor_x = m.box.left + random.below(m.box.width());
+  scan.anchor_y = m.box.top - random.below(2) * random.within(100);
   scan.has_channels = true;
   std::copy_n(m.colours, 3, scan.colours);
   if (!set_up_medium(scan, m.v[0], m.v[1], m.v[2])) return false;
@@ -93,22 +94,27 @@ bool planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   return !same && outcome.differs("the planes of a medium triangle", number);
 }
 
-/// A strip that cuts a triangle above and below.
+/// A strip that cuts a triangle above and below, or with `sides` often at the left and at the right, too.
 struct Cut {
   std::int32_t left, top, width, height;
 
-  Cut(Random& random, const Rect& box)
+  Cut(Random& random, const Rect& box, bool sides)
       : left(box.left - random.below(3)),
         top(box.top + random.between(-8, 8)),
-        width(box.right - left + random.below(3)),
-        height(random.between(1, std::min<std::int32_t>(70, static_cast<std::int32_t>(kMaxCells) / width))) {}
+        width(box.right - left + random.below(3)) {
+    if (sides && random.below(2) == 0) {
+      const std::int32_t more = random.below(width);
+      left += more, width = random.between(1, width - more);
+    }
+    height = random.between(1, std::min<std::int32_t>(70, static_cast<std::int32_t>(kMaxCells) / width));
+  }
 };
 
 template <Shade shade>
 bool differ(Random& random, std::uint32_t number, Outcome& outcome) {
   Medium m;
   if (!make(random, random.between(2, 900), m)) return false;
-  const Cut strip(random, m.box);
+  const Cut strip(random, m.box, true);
   const Pictures pictures(random, strip.width, strip.height, m.v[0].depth >> 16);
   constexpr std::uint16_t kFlat = 0x1234;
   const Colour* const colours[3] = {&m.colours[0], &m.colours[1], &m.colours[2]};
@@ -116,9 +122,15 @@ bool differ(Random& random, std::uint32_t number, Outcome& outcome) {
   const MediumTriangle triangle{own, m.v[0], m.v[1], m.v[2], m.area};
   // Where vectors draw, the C++ for words of 32 bits in every second case.
   const auto drawn = [&](bool by_words) {
-    if (!by_words) return draw_medium<shade == Shade::gouraud>(triangle, colours, kFlat);
-    if constexpr (shade == Shade::gouraud) return draw_medium_gouraud_portable(triangle, colours);
-    return draw_medium_flat_portable(triangle, kFlat);
+    constexpr bool kGouraud = shade == Shade::gouraud;
+    if (!by_words && draw_medium<kGouraud>(triangle, colours, kFlat)) return true;
+    if constexpr (kGouraud) {
+      if (by_words && draw_medium_gouraud_portable(triangle, colours)) return true;
+      return draw_cut_gouraud_portable(triangle, colours);
+    } else {
+      if (by_words && draw_medium_flat_portable(triangle, kFlat)) return true;
+      return draw_cut_flat_portable(triangle, kFlat);
+    }
   };
   if (!drawn(number % 8 < 4)) return false;
   Statistics statistics{};
@@ -144,7 +156,7 @@ bool textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   const auto side = [&random](std::int32_t most) { return static_cast<std::uint8_t>(random.below(most + 1)); };
   const TextureView texture{texels.data(), side(kMaxLog2Width), side(kMaxLog2Height)};
   const std::int64_t depth_offset = static_cast<std::int64_t>(random.word()) << random.below(8);
-  const Cut strip(random, m.box);
+  const Cut strip(random, m.box, false);
   const Pictures pictures(random, strip.width, strip.height, m.v[0].depth >> 16);
 
   const StripTarget own = pictures.own.target(strip.left, strip.top, nullptr);

@@ -37,6 +37,7 @@ enum class WorkKind : std::uint8_t {
   cells_of_shadow_map,  ///< cells of the whole map
   shadow_samples,       ///< pixels that are looked up in the map
   hull_vertices,        ///< of outlines
+  meshlets_again,       ///< of the whole scene, for each strip with pixels in shadow
   vertices_again,       ///< for the map and for pixels in shadow, as the next two
   triangles_again,
   fragments_again,

@@ -136,7 +136,7 @@ class PickedTriangle {
   static bool draw_spans(const Target& target, const Batch& batch, const RasterVertex (&v)[3], Narrow narrow,
                          Picked& picked) {
     bool shown = false;
-    const SpanTriangle<kDepth> triangle(target, v[0], v[1], v[2]);
+    const SpanTriangle<kDepth, TrianglePlanes> triangle(target, v[0], v[1], v[2]);
     triangle.template walk<false, true>(target, v[0], v[1], v[2], narrow,
                                         [&](const Span<Cell>& span, const auto& z, const auto& rule) {
                                           Cell code = *span.depth;
@@ -152,7 +152,7 @@ class PickedTriangle {
   }
 
   /// Sets the texture coordinates of a pixel that passed the depth test. Returns false if its texel discards it.
-  static bool shows(const Target& target, const Batch& batch, const RasterVertex (&v)[3], const PlaneSetup& setup,
+  static bool shows(const Target& target, const Batch& batch, const RasterVertex (&v)[3], const TrianglePlanes& setup,
                     const Span<Cell>& span, Picked& found, bool& hides) {
     const Shade shade = batch.instance->shade;
     found.textured = false;
@@ -196,7 +196,7 @@ class PickedTriangle {
 
   /// Does the same for an instance that is drawn fragment by fragment, and tests its alpha.
   static bool shows_fragment(const Target& target, const Batch& batch, const RasterVertex* const (&vertices)[3],
-                             const PlaneSetup& setup, const Span<Cell>& span, Picked& found, bool& hides) {
+                             const TrianglePlanes& setup, const Span<Cell>& span, Picked& found, bool& hides) {
     const FragmentSettings& settings = target.fragments;
     const FragmentPlanes<kPicking> planes(setup, vertices, batch.surface, target);
     FragmentRun<kPicking> run(planes, target);

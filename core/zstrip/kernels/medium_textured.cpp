@@ -10,22 +10,14 @@
 #include "zstrip/kernels/texture_coordinates.hpp"
 #include "zstrip/kernels/textured_span.hpp"
 #include "zstrip/kernels/thumb/medium_textured.hpp"
+#include "zstrip/kernels/triangle_planes.hpp"
 #include "zstrip/kernels/vector/medium_textured.hpp"
 #include "zstrip/pixels/textured_scan.hpp"
 
 namespace zstrip::detail {
 namespace {
 
-/// plane() is not inlined: texture coordinates call it three times.
-class CalledPlanes : public MediumPlanes {
- public:
-  using MediumPlanes::MediumPlanes;
-  [[gnu::noinline]] Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
-    return MediumPlanes::plane(value_0, d1, d2);
-  }
-};
-using WordPlanes = std::conditional_t<kMultipliesLonger, MediumPlanes, CalledPlanes>;
-using TexturePlanes = std::conditional_t<kHasThumb1, ThumbPlanes, WordPlanes>;
+struct OfTextures;  ///< see WordPlanes
 
 /// Sets up the planes of texture coordinates that fit words.
 template <bool affine, class Planes>
@@ -45,7 +37,7 @@ bool set_up_planes(TexturedScan& textured, const MediumTriangle& t, const Medium
     if (!set_up_medium_thumb(scan, t.v0, t.v1, t.v2)) return false;
     set_up_texture_thumb(textured, textures.vertices, textures.surface.depth_offset);
   } else {
-    TexturePlanes planes(t.v0, t.v1, t.v2, t.area, scan.anchor_x, scan.anchor_y);
+    WordPlanes<OfTextures> planes(t.v0, t.v1, t.v2, t.area, scan.anchor_x, scan.anchor_y);
     if constexpr (kHasThumb2) {
       if (!set_up_medium_thumb(scan, t.v0, t.v1, t.v2)) return false;
     } else {

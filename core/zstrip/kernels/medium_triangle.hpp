@@ -22,6 +22,8 @@ namespace zstrip::detail {
 /// On processors with 32-bit words the 64-bit planes take most of a triangle's time; vectors draw eight pixels at once.
 /// Left out with -Os.
 inline constexpr bool kHasMediumTriangles = kHasVectors || (sizeof(void*) == 4 && !kForSize);
+/// True if draw_cut_medium draws triangles.
+inline constexpr bool kHasCutMedium = kHasMediumTriangles && !kHasVectors;
 
 /// Sets up the planes of a triangle for which fits_words is true, from the scan's area, anchor and colours. Returns
 /// false if a channel is too steep.
@@ -35,7 +37,8 @@ inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const Snapp
   }
 }
 
-/// Draws a triangle, or returns false and leaves it to its spans. `colours`: of the vertices if `gouraud`.
+/// Draws a triangle, or returns false and leaves it to its spans. `colours`: of the vertices if `gouraud`. A triangle
+/// that crosses the left or the right side of the strip is left to draw_cut_medium or to its spans.
 template <bool gouraud>
 bool draw_medium(const MediumTriangle& triangle, const Colour* const (&colours)[3], std::uint16_t flat_colour) {
   if constexpr (kHasVectors) {
@@ -45,6 +48,14 @@ bool draw_medium(const MediumTriangle& triangle, const Colour* const (&colours)[
     if constexpr (gouraud) return draw_medium_gouraud_portable(triangle, colours);
     return draw_medium_flat_portable(triangle, flat_colour);
   }
+}
+
+/// Draws one that draw_medium leaves, or returns false, too. Worth its code where strips are narrow.
+template <bool gouraud>
+bool draw_cut_medium(const MediumTriangle& triangle, const Colour* const (&colours)[3], std::uint16_t flat_colour) {
+  if constexpr (!kHasCutMedium) return false;
+  if constexpr (gouraud) return draw_cut_gouraud_portable(triangle, colours);
+  return draw_cut_flat_portable(triangle, flat_colour);
 }
 
 }  // namespace zstrip::detail

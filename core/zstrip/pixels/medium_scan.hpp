@@ -19,6 +19,13 @@ struct MediumTriangle {
   std::int32_t area;  ///< twice the signed area, > 0
 };
 
+/// True if words of 32 bits suffice for the planes of a triangle whose area is below 2^25, whatever their values are:
+/// see fits_words. `longest`: of its sides along x and y.
+constexpr bool sides_fit_words(std::int32_t longest, std::int32_t area) {
+  if (kHasThumb1 && longest >> 13 != 0) return false;
+  return longest <= area >> (kHasThumb1 ? 1 : 2);
+}
+
 /// True if words of 32 bits suffice for the planes of a triangle, except for channels that change steeply. On the
 /// longer side of its box (`width`, `height`) as base, the triangle must be at least a quarter of a pixel high, and the
 /// vertices' depths must be within half of the range. For Thumb-1 the height is an eighth, and sides must be below 512
@@ -28,8 +35,7 @@ inline bool fits_words(const MediumTriangle& t, std::int32_t width, std::int32_t
   const auto near_first = [&t](const SnappedVertex& v) {
     return static_cast<std::int32_t>((t.v0.depth >> 1) - (v.depth >> 1) + (std::uint32_t{1} << 30));
   };
-  if (kHasThumb1 && (width | height) >> 13 != 0) return false;
-  return (width < height ? height : width) <= t.area >> (kHasThumb1 ? 1 : 2) && t.area >> 25 == 0 &&
+  return sides_fit_words(width < height ? height : width, t.area) && t.area >> 25 == 0 &&
          (near_first(t.v1) | near_first(t.v2)) >= 0;
 }
 

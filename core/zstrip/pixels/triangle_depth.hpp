@@ -26,7 +26,8 @@ struct Span {
 template <DepthFormat format>
 class TriangleDepth {
  public:
-  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
+  template <class Planes>
+  TriangleDepth(const Planes& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
     if constexpr (format == DepthFormat::z16) {
       plane_ = setup.plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
     } else {
@@ -49,7 +50,8 @@ class TriangleDepth {
 template <>
 class TriangleDepth<DepthFormat::float16> {
  public:
-  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
+  template <class Planes>
+  TriangleDepth(const Planes& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
     const auto [farthest, nearest] = std::minmax({v0.depth, v1.depth, v2.depth});
     first_ = float16_octave(farthest);
     last_ = float16_octave(nearest);

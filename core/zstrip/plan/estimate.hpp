@@ -63,6 +63,7 @@ inline constexpr std::uint32_t kCostOfWork[] = {
     95 * 8,    // cells_of_shadow_map
     106 * 8,   // shadow_samples
     118 * 8,   // hull_vertices
+    670 * 8,   // meshlets_again: kCostOfMeshlet is the mean of scenes with many more of them
     0,         // vertices_again, which are counted as vertices
     550 * 8,   // triangles_again, as no kernel draws those of the map
     0,         // fragments_again

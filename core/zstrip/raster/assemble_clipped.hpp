@@ -64,6 +64,9 @@ struct ClippedAssembler {
   using Attributes = VertexAttributes<effects>;
   using Batch = BatchOf<effects>;
   using StripTarget = TargetOf<effects>;  // with the settings for depth mode and fragments
+  /// Words pay for triangles with many planes. Plain ones, which are drawn by spans only if they are large, are faster
+  /// in 64 bits; beside the others they share their code.
+  using Planes = std::conditional_t<effects.any(effect::fragments), TrianglePlanes, PlaneSetup>;
   template <Shade shade>
   using SurfaceOf = std::conditional_t<shade == Shade::fragments, FragmentSurface<effects>, Surface>;
   template <Shade shade>
@@ -76,8 +79,8 @@ struct ClippedAssembler {
     if constexpr (shade == Shade::fragments) {
       draw_fragment_triangle<effects>(target, v[0], v[1], v[2], surface, narrow);
     } else {
-      draw_span_triangle<shade, kOrthographic, kStatistics, kDepth, kPerspective>(target, v[0], v[1], v[2], surface,
-                                                                                  narrow);
+      draw_span_triangle<shade, kOrthographic, kStatistics, kDepth, kPerspective, Planes>(target, v[0], v[1], v[2],
+                                                                                          surface, narrow);
     }
   }
 

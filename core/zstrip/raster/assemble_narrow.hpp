@@ -203,6 +203,10 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     if constexpr (kHasMedium<shade> && !kInRuns) {
       if (draw_medium<kGouraud>({target, a, b, c, area}, colours, flat_colour)) return;
     }
+    // Pixels in shadow are drawn again in the smallest rectangle that contains those of the strip.
+    if constexpr (kHasMedium<shade> && kHasCutMedium && effects.has(effect::shadows)) {
+      if (draw_cut_medium<kGouraud>({target, a, b, c, area}, colours, flat_colour)) return;
+    }
     draw_narrow_spans<shade>(target, batch, provoking, a, b, c);
   }
 

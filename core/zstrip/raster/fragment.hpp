@@ -23,8 +23,8 @@ struct FragmentPlanes {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
   static constexpr bool kStored = effects.any(effect::texture_palettes | effect::mipmaps);
 
-  FragmentPlanes(const PlaneSetup& setup, const RasterVertex* const (&v)[3], const FragmentSurface<effects>& surface,
-                 const TargetOf<effects>& target) {
+  FragmentPlanes(const TrianglePlanes& setup, const RasterVertex* const (&v)[3],
+                 const FragmentSurface<effects>& surface, const TargetOf<effects>& target) {
     const FragmentSettings& settings = target.fragments;
     const auto plane = [&](auto member) {
       const auto value = [&](int i) { return std::int64_t{v[i]->*member}; };
@@ -478,7 +478,7 @@ template <Effects effects, class Narrow>
 void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex& v0, const RasterVertex& v1,
                             const RasterVertex& v2, const FragmentSurface<effects>& surface, Narrow narrow) {
   constexpr DepthMode kMode = depth_mode(effects);
-  const SpanTriangle<kMode> triangle(target, v0, v1, v2);
+  const SpanTriangle<kMode, TrianglePlanes> triangle(target, v0, v1, v2);
   const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
   FragmentPlanes<effects> planes(triangle.setup, vertices, surface, target);
   if constexpr (effects.has(effect::dithered_colours)) {

@@ -30,7 +30,7 @@ class PixelLight {
 
  public:
   PixelLight() = default;
-  PixelLight(const PlaneSetup& setup, const RasterVertex* const (&v)[3], const LitSurface& surface,
+  PixelLight(const TrianglePlanes& setup, const RasterVertex* const (&v)[3], const LitSurface& surface,
              const PixelLightSettings& settings)
       : is_on_(true) {
     const CornerInverses<kOrthographic> inverses(v, surface.depth_offset);

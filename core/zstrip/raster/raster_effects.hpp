@@ -2,6 +2,7 @@
 #pragma once
 
 #include "zstrip/effects.hpp"
+#include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/visibility/traits.hpp"
 
@@ -9,11 +10,12 @@ namespace zstrip::detail {
 
 /// Returns the set for which the rasterisers are instantiated, so that pipelines which differ in other stages share
 /// their code. It omits the effects of earlier and later stages, and contains vertex_colours if anything gives vertices
-/// a colour.
+/// a colour. It contains shadows where a kernel draws triangles in the narrow rectangles of pixels in shadow.
 constexpr Effects raster_effects(Effects effects) {
   constexpr Effects kOfOtherStages = effect::bins | effect::billboards | effect::csg | effect::dithered_format |
-                                     effect::edges | effect::lighting | effect::overlay | effect::shadows |
-                                     effect::skins | effect::supersampled | effect::surfaces | methods::kOfOrder;
+                                     effect::edges | effect::lighting | effect::overlay | effect::skins |
+                                     (kHasCutMedium ? Effects{} : effect::shadows) | effect::supersampled |
+                                     effect::surfaces | methods::kOfOrder;
   const Effects colours = has_vertex_colours(effects) ? effect::vertex_colours : Effects{};
   return without(effects, kOfOtherStages) | colours;
 }

@@ -7,7 +7,7 @@
 
 #include "zstrip/base/direction.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/pixels/plane.hpp"
+#include "zstrip/kernels/triangle_planes.hpp"
 
 namespace zstrip::detail {
 
@@ -38,7 +38,7 @@ class SpacePlanes {
  public:
   SpacePlanes() = default;
   template <bool orthographic>
-  SpacePlanes(const PlaneSetup& setup, const Vector3 (&corner)[3], const CornerInverses<orthographic>& inverses) {
+  SpacePlanes(const TrianglePlanes& setup, const Vector3 (&corner)[3], const CornerInverses<orthographic>& inverses) {
     std::int64_t x[3], y[3], z[3];  // below 2^60: 31 bits times 29
     std::uint64_t bits = 1;
     for (int i = 0; i < 3; ++i) {

@@ -11,6 +11,7 @@
 #include "zstrip/kernels/span.hpp"
 #include "zstrip/kernels/textured_span.hpp"
 #include "zstrip/pixels/edge_walk.hpp"
+#include "zstrip/pixels/plane.hpp"
 #include "zstrip/raster/method_hooks.hpp"
 #include "zstrip/visibility/traits.hpp"
 
@@ -93,8 +94,8 @@ class WholeSpans {
   [[no_unique_address]] Narrow narrow_;
 };
 
-/// A triangle after set-up: its anchor, its depth, and its spans in a strip.
-template <DepthMode mode>
+/// A triangle after set-up: its anchor, its depth, and its spans in a strip. `Planes` sets up its planes.
+template <DepthMode mode, class Planes = PlaneSetup>
 struct SpanTriangle {
   // A call would pass all members through memory.
   [[gnu::always_inline]] SpanTriangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
@@ -162,7 +163,7 @@ struct SpanTriangle {
 
   std::int64_t area;
   std::int32_t anchor_x, anchor_y;  ///< a pixel of the picture near the triangle; does not depend on the strip
-  PlaneSetup setup;
+  Planes setup;
   TriangleDepth<mode.format> depth;
   DepthRule<mode> rule;
 };
@@ -170,10 +171,10 @@ struct SpanTriangle {
 /// Draws a counter-clockwise triangle. `narrow`: all coordinates are within kNarrowLimit; a bool or std::true_type.
 /// Only the speed depends on it. `perspective`: the result of zstrip::perspective_run().
 template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}, std::int32_t perspective = 16,
-          class Narrow = bool>
+          class Planes = PlaneSetup, class Narrow = bool>
 void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
                         const RasterVertex& v2, const Surface& surface, Narrow narrow) {
-  const SpanTriangle<mode> triangle(target, v0, v1, v2);
+  const SpanTriangle<mode, Planes> triangle(target, v0, v1, v2);
   const auto plane = [&](auto member) {
     const auto value = [&](const RasterVertex& v) { return std::int64_t{v.*member}; };
     return triangle.setup.plane(value(v0), value(v1) - value(v0), value(v2) - value(v0));

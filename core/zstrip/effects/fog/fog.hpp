@@ -8,7 +8,7 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/geometry/distance.hpp"
-#include "zstrip/pixels/plane.hpp"
+#include "zstrip/kernels/triangle_planes.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
@@ -80,7 +80,8 @@ class FogPlane {
  public:
   FogPlane() = default;
   /// `depth_offset`: DepthFit::offset with perspective, else the depth of `far`.
-  FogPlane(const FogCurve& fog, const PlaneSetup& setup, const RasterVertex* const (&v)[3], std::int64_t depth_offset)
+  FogPlane(const FogCurve& fog, const TrianglePlanes& setup, const RasterVertex* const (&v)[3],
+           std::int64_t depth_offset)
       : fog_(&fog) {
     std::int64_t value[3];
     if constexpr (orthographic) {

@@ -81,16 +81,20 @@ struct MapRow {
   }
 };
 
-/// A covered cell's point in the map, which may lie outside of it. Its coordinates are computed one by one: where no
-/// caster lies at its column and row, its depth is not needed.
+/// The points in the map of a row's covered cells, one after the other. A point may lie outside of the map. Its
+/// coordinates are computed one by one: where no caster lies at its column and row, its depth is not needed.
 template <bool orthographic, DepthFormat format>
 class MapPoint;
 
 template <DepthFormat format>
 class MapPoint<true, format> {
  public:
-  MapPoint(const MapRow& row, std::int32_t x, std::uint32_t depth)
-      : from_(row), x_(x), half_depth_(static_cast<std::int32_t>(depth >> 1)) {}
+  explicit MapPoint(const MapRow& row) : from_(row) {}
+
+  /// Moves to a pixel, whose cell has this code.
+  void move_to(std::int32_t x, std::uint32_t code) {
+    x_ = x, half_depth_ = static_cast<std::int32_t>(depth_of_code<format>(code) >> 1);
+  }
 
   /// In texels, floor(value / 2^texel_bits), as row().
   std::int32_t column() const { return along(from_.column, from_.place.column); }
@@ -103,14 +107,21 @@ class MapPoint<true, format> {
   }
 
   const MapRow& from_;
-  std::int32_t x_, half_depth_;
+  std::int32_t x_ = 0, half_depth_ = 0;
 };
 
 template <DepthFormat format>
 class MapPoint<false, format> {
  public:
-  MapPoint(const MapRow& row, std::int32_t x, std::uint32_t depth) : from_(row), x_(x) {
-    const auto q = static_cast<std::uint64_t>(std::int64_t{depth} + row.place.depth_offset);
+  explicit MapPoint(const MapRow& row) : from_(row) {}
+
+  /// Moves to a pixel, whose cell has this code. Neighbours often have the same: under a level camera a floor has one
+  /// depth in each row.
+  void move_to(std::int32_t x, std::uint32_t code) {
+    x_ = x;
+    if (code == code_) return;
+    code_ = code;
+    const auto q = static_cast<std::uint64_t>(std::int64_t{depth_of_code<format>(code)} + from_.place.depth_offset);
     // The first 32 bits of q without its leading zeros. By halves, because shifts of 64 bits take many instructions.
     const auto high = static_cast<std::uint32_t>(q >> 32), low = static_cast<std::uint32_t>(q);
     std::uint32_t first = 0;
@@ -146,9 +157,10 @@ class MapPoint<false, format> {
   }
 
   const MapRow& from_;
-  std::int32_t x_;
-  int zeros_;             ///< leading zeros of q
-  std::int32_t inverse_;  ///< reciprocal of its first 32 bits
+  std::int32_t x_ = 0;
+  std::uint32_t code_ = 0;    ///< no covered cell has 0
+  int zeros_ = 0;             ///< leading zeros of q
+  std::int32_t inverse_ = 0;  ///< reciprocal of its first 32 bits
 };
 
 struct LightPicture {

@@ -126,6 +126,7 @@ struct Stage : NoStage {
       const Statistics all = frame.statistics;
       frame.statistics = counted;
       frame.statistics.work = all.work;
+      frame.statistics.work[WorkKind::meshlets_again] += count(*frame.scene).meshlets;
       count_again(frame, all, counted);
     }
     return {};
@@ -208,13 +209,14 @@ struct Stage : NoStage {
       for (std::int32_t y = area.top; y < area.bottom; ++y) {
         Cell* cell = target.template depth_row<Cell>(y) + (left - area.left);
         const MapRow row(state.place, y);
+        MapPoint<effects.has(effect::orthographic), kFormat> at(row);
         std::int32_t first = INT32_MAX, last = INT32_MIN;
         for (std::int32_t x = left; x < right; ++x, ++cell) {
           const std::uint32_t code = *cell;
           if constexpr (!keeps_codes) *cell = static_cast<Cell>(-1);
           if (code == 0) continue;
           if constexpr (effects.has(effect::statistics)) ++target.statistics->work[WorkKind::shadow_samples];
-          const MapPoint<effects.has(effect::orthographic), kFormat> at(row, x, depth_of_code<kFormat>(code));
+          at.move_to(x, code);
           if (!state.hides(at, status)) continue;
           *cell = 0;
           first = std::min(first, x), last = x;

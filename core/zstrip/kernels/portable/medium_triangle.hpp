@@ -15,6 +15,8 @@ namespace zstrip::detail {
 
 bool draw_medium_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
 bool draw_medium_flat_portable(const MediumTriangle& triangle, std::uint16_t colour);
+bool draw_cut_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
+bool draw_cut_flat_portable(const MediumTriangle& triangle, std::uint16_t colour);
 
 /// Sets the edge from one vertex down to another, at a row, for MediumRows.
 [[gnu::noinline]] void set_medium_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to,
@@ -26,9 +28,11 @@ bool draw_medium_flat_portable(const MediumTriangle& triangle, std::uint16_t col
 class MediumPlanes {
  public:
   using Value = std::int32_t;
-  /// `area` is twice the signed area; the anchor is a pixel near the triangle.
-  MediumPlanes(const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2, std::int32_t area,
-               std::int32_t anchor_x, std::int32_t anchor_y) {
+  MediumPlanes() = default;
+  /// `area` is twice the signed area; the anchor is a pixel near the triangle. Of the vertices only x and y count.
+  template <class Vertex>
+  MediumPlanes(const Vertex& v0, const Vertex& v1, const Vertex& v2, std::int32_t area, std::int32_t anchor_x,
+               std::int32_t anchor_y) {
     const int zeros = std::countl_zero(static_cast<std::uint32_t>(area));
     mantissa_ = of_any_sign(reciprocal(static_cast<std::uint32_t>(area) << zeros));
     // A side is at most area / 2^2 < 2^(30 - zeros): 23 bits after the shift.

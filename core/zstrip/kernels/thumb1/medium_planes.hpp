@@ -20,8 +20,10 @@ struct TexturedVertex;
 class ThumbPlanes {
  public:
   using Value = std::int32_t;
-  ThumbPlanes(const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2, std::int32_t area,
-              std::int32_t anchor_x, std::int32_t anchor_y) {
+  ThumbPlanes() = default;
+  template <class Vertex>
+  ThumbPlanes(const Vertex& v0, const Vertex& v1, const Vertex& v2, std::int32_t area, std::int32_t anchor_x,
+              std::int32_t anchor_y) {
     const int zeros = std::countl_zero(static_cast<std::uint32_t>(area));
     const auto mantissa = static_cast<std::uint32_t>(reciprocal(static_cast<std::uint32_t>(area) << zeros));
     mantissa_low_ = mantissa & 0xFFFF, mantissa_high_ = mantissa >> 16;
