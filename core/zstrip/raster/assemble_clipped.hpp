@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "zstrip/effects.hpp"
+#include "zstrip/kernels/triangle_planes.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/clip_triangle.hpp"
 #include "zstrip/raster/fragment.hpp"
