@@ -8,7 +8,7 @@
 
 namespace zstrip {
 
-/// docs/conventions.md, "Picture formats", defines the bytes of each. zstrip_hal has the same names in the same order.
+/// docs/conventions.md, "Picture formats", defines the bytes of each. hal::DisplayFormat has the same names in order.
 enum class PixelFormat : std::uint8_t {
   rgb565,          ///< two bytes, the low one first
   rgb565_swapped,  ///< two bytes, the high one first: most panels on SPI

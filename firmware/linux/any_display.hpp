@@ -20,7 +20,7 @@ class AnyDisplay {
 
   virtual std::uint16_t width() const = 0;
   virtual std::uint16_t height() const = 0;
-  virtual hal::PixelFormat format() const = 0;
+  virtual hal::DisplayFormat format() const = 0;
   virtual hal::Error begin_frame() = 0;
   virtual hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) = 0;
   virtual hal::Error wait() = 0;
@@ -38,7 +38,7 @@ class DisplayAdapter : public AnyDisplay {
  public:
   std::uint16_t width() const final { return shown().width(); }
   std::uint16_t height() const final { return shown().height(); }
-  hal::PixelFormat format() const final { return shown().format(); }
+  hal::DisplayFormat format() const final { return shown().format(); }
   hal::Error begin_frame() final { return shown().begin_frame(); }
   hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) final {
     return shown().write(area, pixels);

@@ -209,11 +209,11 @@ Outcome<hal::DcsConfig> take_config(DisplayAddress& address, const hal::DcsConfi
   }
   if (const auto format = address.take("format")) {
     if (*format == "rgb565") {
-      config.format = hal::PixelFormat::rgb565_swapped;
+      config.format = hal::DisplayFormat::rgb565_swapped;
     } else if (*format == "rgb666") {
-      config.format = hal::PixelFormat::rgb666;
+      config.format = hal::DisplayFormat::rgb666;
     } else if (*format == "rgb444") {
-      config.format = hal::PixelFormat::rgb444;
+      config.format = hal::DisplayFormat::rgb444;
     } else {
       return address.fault("format", "is rgb565, rgb666 or rgb444, not '" + *format + "'");
     }
@@ -221,7 +221,7 @@ Outcome<hal::DcsConfig> take_config(DisplayAddress& address, const hal::DcsConfi
   const bool sideways = is_sideways(config.orientation);
   const auto [width, other] =
       sideways ? std::pair(config.height, config.width) : std::pair(config.width, config.height);
-  if (config.format == hal::PixelFormat::rgb444 && width % 2 != 0) {
+  if (config.format == hal::DisplayFormat::rgb444 && width % 2 != 0) {
     const char* const remedy = other % 2 != 0 ? "" : sideways ? " (or rotate=0, 180)" : " (or rotate=90, 270)";
     return address.fault("format", std::string("rgb444 needs an even width") + remedy);
   }

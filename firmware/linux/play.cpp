@@ -14,15 +14,15 @@ namespace {
 
 constexpr int kPatience = 10;
 
-PixelFormat view_format(hal::PixelFormat format) {
+PixelFormat view_format(hal::DisplayFormat format) {
   switch (format) {
-    case hal::PixelFormat::rgb565: return PixelFormat::rgb565;
-    case hal::PixelFormat::rgb565_swapped: return PixelFormat::rgb565_swapped;
-    case hal::PixelFormat::gray4: return PixelFormat::gray4;
-    case hal::PixelFormat::mono: return PixelFormat::mono;
-    case hal::PixelFormat::rgb666: return PixelFormat::rgb666;
-    case hal::PixelFormat::rgb444: return PixelFormat::rgb444;
-    case hal::PixelFormat::xrgb8888: return PixelFormat::xrgb8888;
+    case hal::DisplayFormat::rgb565: return PixelFormat::rgb565;
+    case hal::DisplayFormat::rgb565_swapped: return PixelFormat::rgb565_swapped;
+    case hal::DisplayFormat::gray4: return PixelFormat::gray4;
+    case hal::DisplayFormat::mono: return PixelFormat::mono;
+    case hal::DisplayFormat::rgb666: return PixelFormat::rgb666;
+    case hal::DisplayFormat::rgb444: return PixelFormat::rgb444;
+    case hal::DisplayFormat::xrgb8888: return PixelFormat::xrgb8888;
   }
   return PixelFormat::rgb565;
 }

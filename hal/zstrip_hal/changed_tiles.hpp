@@ -69,7 +69,7 @@ class ChangedTiles {
   /// See the concept Display.
   constexpr std::uint16_t height() const { return panel_.height(); }
   /// See the concept Display.
-  constexpr PixelFormat format() const { return panel_.format(); }
+  constexpr DisplayFormat format() const { return panel_.format(); }
 
   /// Starts the panel, if that is a function of its own. The next frame is sent whole.
   Error start() requires requires(Panel& panel) { panel.start(); }

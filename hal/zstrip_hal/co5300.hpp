@@ -29,8 +29,8 @@ struct Co5300Controller {
       0x63, 1, 0xFF);  // brightness in bright light
   // clang-format on
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
-    return format == PixelFormat::rgb565_swapped ? 0x55 : 0;
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
+    return format == DisplayFormat::rgb565_swapped ? 0x55 : 0;
   }
   /// @}
 };

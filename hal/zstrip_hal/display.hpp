@@ -14,8 +14,9 @@
 namespace zstrip::hal {
 
 /// The layout of a display's pixels in memory. Rows follow each other; every row starts at a byte. A renderer must
-/// draw in the format of its display: zstrip's core takes the format in View, under the same names.
-enum class PixelFormat : std::uint8_t {
+/// draw in the format of its display: zstrip's core takes it in View as a PixelFormat, whose values have the same
+/// names.
+enum class DisplayFormat : std::uint8_t {
   rgb565,          ///< two bytes, the low one first; red in bits 15..11
   rgb565_swapped,  ///< two bytes, the high one first
   gray4,           ///< two pixels a byte, the left one in the high nibble; 15 is lightest
@@ -35,13 +36,13 @@ struct Area {
 };
 
 /// Bytes of one row of pixels.
-constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {
+constexpr std::uint32_t bytes_per_row(std::uint16_t width, DisplayFormat format) {
   switch (format) {
-    case PixelFormat::gray4: return (width + 1U) / 2U;
-    case PixelFormat::mono: return (width + 7U) / 8U;
-    case PixelFormat::rgb666: return 3U * width;
-    case PixelFormat::rgb444: return (3U * width + 1U) / 2U;
-    case PixelFormat::xrgb8888: return 4U * width;
+    case DisplayFormat::gray4: return (width + 1U) / 2U;
+    case DisplayFormat::mono: return (width + 7U) / 8U;
+    case DisplayFormat::rgb666: return 3U * width;
+    case DisplayFormat::rgb444: return (3U * width + 1U) / 2U;
+    case DisplayFormat::xrgb8888: return 4U * width;
     default: return 2U * width;
   }
 }
@@ -68,7 +69,7 @@ template <class T>
 concept Display = requires(T& display, const T& view, const Area& area, std::span<std::byte> pixels) {
   { view.width() } -> std::same_as<std::uint16_t>;
   { view.height() } -> std::same_as<std::uint16_t>;
-  { view.format() } -> std::same_as<PixelFormat>;
+  { view.format() } -> std::same_as<DisplayFormat>;
   { display.begin_frame() } -> std::same_as<Error>;
   { display.write(area, pixels) } -> std::same_as<Error>;
   { display.wait() } -> std::same_as<Error>;

@@ -13,10 +13,10 @@ namespace zstrip::hal {
 
 /// The position of a picture's rows in memory, and their pixel format.
 struct FramebufferLayout {
-  std::uint16_t width = 0;                   ///< pixels
-  std::uint16_t height = 0;                  ///< pixels
-  PixelFormat format = PixelFormat::rgb565;  ///< format of the memory, and of the pixels that write() takes
-  std::uint32_t stride = 0;                  ///< bytes from one row to the next; 0: rows without gaps
+  std::uint16_t width = 0;                       ///< pixels
+  std::uint16_t height = 0;                      ///< pixels
+  DisplayFormat format = DisplayFormat::rgb565;  ///< format of the memory, and of the pixels that write() takes
+  std::uint32_t stride = 0;                      ///< bytes from one row to the next; 0: rows without gaps
 };
 
 /// write() copies a rectangle into the memory and has ended when it returns. There is one buffer, so the screen shows
@@ -36,7 +36,7 @@ class Framebuffer {
   /// See the concept Display.
   constexpr std::uint16_t width() const { return layout_.width; }
   constexpr std::uint16_t height() const { return layout_.height; }
-  constexpr PixelFormat format() const { return layout_.format; }
+  constexpr DisplayFormat format() const { return layout_.format; }
 
   /// Returns Error::framebuffer if rows overlap, or do not fit the memory.
   constexpr Error begin_frame() { return fits() ? Error::none : Error::framebuffer; }

@@ -55,10 +55,10 @@ struct Gc9a01Controller {
       0x98, 2, 0x3E, 0x07);
   // clang-format on
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
     switch (format) {
-      case PixelFormat::rgb565_swapped: return 0x55;
-      case PixelFormat::rgb666: return 0x66;
+      case DisplayFormat::rgb565_swapped: return 0x55;
+      case DisplayFormat::rgb666: return 0x66;
       default: return 0;
     }
   }

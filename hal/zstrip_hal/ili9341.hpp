@@ -38,10 +38,10 @@ struct Ili9341Controller {
       0xE1, 15, 0x00, 0x0E, 0x14, 0x03, 0x11, 0x07, 0x31, 0xC1, 0x48, 0x08, 0x0F, 0x0C, 0x31, 0x36, 0x0F);
   // clang-format on
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
     switch (format) {
-      case PixelFormat::rgb565_swapped: return 0x55;
-      case PixelFormat::rgb666: return 0x66;
+      case DisplayFormat::rgb565_swapped: return 0x55;
+      case DisplayFormat::rgb666: return 0x66;
       default: return 0;
     }
   }

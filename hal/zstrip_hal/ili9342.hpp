@@ -38,10 +38,10 @@ struct Ili9342Controller {
       0xB6, 4, 0x08, 0x82, 0x1D, 0x04);  // display function
   // clang-format on
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
     switch (format) {
-      case PixelFormat::rgb565_swapped: return 0x55;
-      case PixelFormat::rgb666: return 0x66;
+      case DisplayFormat::rgb565_swapped: return 0x55;
+      case DisplayFormat::rgb666: return 0x66;
       default: return 0;
     }
   }

@@ -42,15 +42,15 @@ struct Ili9488Controller {
       0xF7, 4, 0xA9, 0x51, 0x2C, 0x82); // adjust control
   // clang-format on
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
-    return format == PixelFormat::rgb666 || format == PixelFormat::rgb565_swapped ? 0x66 : 0;
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
+    return format == DisplayFormat::rgb666 || format == DisplayFormat::rgb565_swapped ? 0x66 : 0;
   }
   /// @}
 };
 
 /// The usual module of 3.5 inches, upright.
 inline constexpr DcsConfig kIli9488Module320x480{
-    .width = 320, .height = 480, .format = PixelFormat::rgb666, .columns_reversed = true, .bgr = true};
+    .width = 320, .height = 480, .format = DisplayFormat::rgb666, .columns_reversed = true, .bgr = true};
 
 /// A panel with the controller ILI9488. `bus` and `clock` must outlive it.
 template <CommandDataBus Bus, Clock Time>

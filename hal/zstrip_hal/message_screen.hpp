@@ -40,13 +40,13 @@ inline constexpr std::uint16_t kCellWidth = 8, kCellHeight = 16;  // pages of ei
 inline constexpr std::uint32_t kGlyphRows = 5;
 
 /// Returns the glyph twice as wide and three times as high, white on black.
-constexpr std::array<std::byte, kCellWidth * kCellHeight * 4> cell(char character, PixelFormat format) {
+constexpr std::array<std::byte, kCellWidth * kCellHeight * 4> cell(char character, DisplayFormat format) {
   std::array<std::byte, kCellWidth * kCellHeight * 4> bytes{};
   const std::uint32_t row_bytes = bytes_per_row(kCellWidth, format);
   const std::uint32_t bits = row_bytes * 8 / kCellWidth;
   const auto lit = [format](std::uint32_t byte) {
-    if (format == PixelFormat::rgb666) return std::byte{0xFC};
-    return format == PixelFormat::xrgb8888 && byte % 4 == 3 ? std::byte{0} : std::byte{0xFF};
+    if (format == DisplayFormat::rgb666) return std::byte{0xFC};
+    return format == DisplayFormat::xrgb8888 && byte % 4 == 3 ? std::byte{0} : std::byte{0xFF};
   };
   for (std::uint32_t y = 0; y < 3 * kGlyphRows; ++y) {
     const unsigned row = glyph(character) >> (3 * (kGlyphRows - 1 - y / 3)) & 7U;

@@ -31,11 +31,11 @@ struct DcsConfig {
   std::uint16_t column_offset = 0;  ///< position of the glass in the controller's memory, if the memory is larger
   std::uint16_t row_offset = 0;     ///< position of the glass in the controller's memory, if the memory is larger
   Orientation orientation{};        ///< of the picture on the glass
-  PixelFormat format = PixelFormat::rgb565_swapped;  ///< or rgb666; or rgb444, if the controller supports it
-  bool columns_reversed = false;                     ///< the glass is wired from the right to the left
-  bool rows_reversed = false;                        ///< the glass is wired from the bottom to the top
-  bool bgr = false;                                  ///< subpixels in the order blue, green, red
-  bool inverted = false;                             ///< the panel shows inverted colours, as most IPS panels do
+  DisplayFormat format = DisplayFormat::rgb565_swapped;  ///< or rgb666; or rgb444, if the controller supports it
+  bool columns_reversed = false;                         ///< the glass is wired from the right to the left
+  bool rows_reversed = false;                            ///< the glass is wired from the bottom to the top
+  bool bgr = false;                                      ///< subpixels in the order blue, green, red
+  bool inverted = false;                                 ///< the panel shows inverted colours, as most IPS panels do
   /// Commands that the module's data sheet requires (voltages, gamma), sent before the panel wakes up: the command, the
   /// number of its parameters, its parameters; then the next command. Must outlive the display.
   std::span<const std::byte> module_commands{};
@@ -68,7 +68,7 @@ struct DcsTraits {
 ///   - kId: the three bytes that read_id(bus, id) reads on a ReadableBus; 0 if it has no read_id
 ///   - kTraits, only if one of them is not usual
 template <class T>
-concept DcsController = requires(PixelFormat format) {
+concept DcsController = requires(DisplayFormat format) {
   { T::kColumns } -> std::convertible_to<std::uint16_t>;
   { T::kRows } -> std::convertible_to<std::uint16_t>;
   { T::pixel_format(format) } -> std::same_as<std::uint8_t>;
@@ -86,9 +86,9 @@ constexpr DcsTraits traits_of() {
 
 /// The format of pixels on the bus of a controller, for pixels of `format`.
 template <DcsController Controller>
-constexpr PixelFormat wire_format(PixelFormat format) {
-  const bool widens = traits_of<Controller>().widens_565 && format == PixelFormat::rgb565_swapped;
-  return widens ? PixelFormat::rgb666 : format;
+constexpr DisplayFormat wire_format(DisplayFormat format) {
+  const bool widens = traits_of<Controller>().widens_565 && format == DisplayFormat::rgb565_swapped;
+  return widens ? DisplayFormat::rgb666 : format;
 }
 
 /// Read display ID, 04h: on a serial bus a dummy clock, then three bytes.
@@ -138,7 +138,7 @@ class DcsPanel {
     if (error == Error::none) error = command(config_.inverted ? kInversionOn : kInversionOff);
     if (error == Error::none) error = command(kNormalMode);
     if (error == Error::none) error = set_window({0, 0, width(), height()});
-    const PixelFormat sent = wire_format<Controller>(format());
+    const DisplayFormat sent = wire_format<Controller>(format());
     if (error == Error::none) error = send_zeros(bus_, bytes_per_row(width(), sent) * height());
     if (error == Error::none) error = command(kDisplayOn);
     return error;
@@ -149,14 +149,14 @@ class DcsPanel {
   /// See the concept Display.
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
   /// See the concept Display.
-  constexpr PixelFormat format() const { return config_.format; }
+  constexpr DisplayFormat format() const { return config_.format; }
 
   /// See the concept Display.
   Error begin_frame() { return Error::none; }
   /// See the concept Display.
   Error write(const Area& area, std::span<const std::byte> pixels) {
     if (!contains(width(), height(), area)) return Error::area;
-    if (config_.format == PixelFormat::rgb444 && area.width % 2 != 0) return Error::alignment;
+    if (config_.format == DisplayFormat::rgb444 && area.width % 2 != 0) return Error::alignment;
     if constexpr (kTraits.even_areas) {
       if (!is_even(area.left, area.top, area.width, area.height)) return Error::alignment;
     }
@@ -236,7 +236,7 @@ class DcsPanel {
     return fits(config_.column_offset, config_.width, Controller::kColumns) &&
            fits(config_.row_offset, config_.height, Controller::kRows) &&
            Controller::pixel_format(config_.format) != 0 &&
-           (config_.format != PixelFormat::rgb444 || width() % 2 == 0) && is_command_list(config_.module_commands) &&
+           (config_.format != DisplayFormat::rgb444 || width() % 2 == 0) && is_command_list(config_.module_commands) &&
            (config_.id == 0 || (ReadableBus<Bus> && Controller::kId != 0 && config_.id < kNobody)) &&
            (kTraits.exchanges || !is_sideways(config_.orientation)) &&
            (kTraits.reverses_rows || (memory_access() & kReverseRows) == 0) &&

@@ -59,7 +59,7 @@ class StripAreas {
            count_ == across() * parts(height_, rows_);
   }
   /// Returns the size of the largest strip in bytes.
-  constexpr std::uint32_t bytes(PixelFormat format) const { return rows_ * bytes_per_row(columns_, format); }
+  constexpr std::uint32_t bytes(DisplayFormat format) const { return rows_ * bytes_per_row(columns_, format); }
   /// Returns the area of the display that the strip covers, in pixels.
   constexpr Area area(std::uint16_t strip) const {
     const auto left = static_cast<std::uint16_t>(strip % across() * columns_);

@@ -20,10 +20,10 @@ namespace zstrip::hal {
 
 /// The picture of a scanned panel, and the strips in which its controller reads it.
 struct ScanLayout {
-  std::uint16_t width = 0;                   ///< pixels
-  std::uint16_t height = 0;                  ///< pixels
-  std::uint16_t rows = 0;                    ///< pixels; of a strip, 1..height. The last strip may have fewer
-  PixelFormat format = PixelFormat::rgb565;  ///< format of the controller's memory, and of the pixels of write()
+  std::uint16_t width = 0;                       ///< pixels
+  std::uint16_t height = 0;                      ///< pixels
+  std::uint16_t rows = 0;                        ///< pixels; of a strip, 1..height. The last strip may have fewer
+  DisplayFormat format = DisplayFormat::rgb565;  ///< format of the controller's memory, and of the pixels of write()
 };
 
 /// The time in microseconds between two requests of a controller, at most.
@@ -58,7 +58,7 @@ class ScannedPanel {
   /// See the concept Display. write() waits for the request of its strip.
   constexpr std::uint16_t width() const { return layout_.width; }
   constexpr std::uint16_t height() const { return layout_.height; }
-  constexpr PixelFormat format() const { return layout_.format; }
+  constexpr DisplayFormat format() const { return layout_.format; }
   constexpr Error begin_frame() { return areas().cover() ? Error::none : Error::strip_layout; }
   Error write(const Area& area, std::span<const std::byte> pixels) {
     if (!contains(layout_.width, layout_.height, area)) return stop(Error::area);

@@ -114,7 +114,7 @@ class SecondCore {
     const void* work = nullptr;
   };
 
-  static Error refuse(const StripAreas& areas, PixelFormat format, const TwoCoreBuffers& buffers) {
+  static Error refuse(const StripAreas& areas, DisplayFormat format, const TwoCoreBuffers& buffers) {
     if (!areas.cover()) return Error::strip_layout;
     for (const std::span<std::byte>& buffer : buffers) {
       if (buffer.size() < areas.bytes(format)) return Error::pixels_too_small;

@@ -23,8 +23,8 @@ struct Sh8601Controller {
       .even_areas = true, .exchanges = false, .reverses_rows = false, .brightness_control = 0x20};
   static constexpr auto kSettings = bytes(0x53, 1, 0x20, 0x51, 1, 0xFF);  // brightness by command, and the brightest
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
-    return format == PixelFormat::rgb565_swapped ? 0x55 : 0;
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
+    return format == DisplayFormat::rgb565_swapped ? 0x55 : 0;
   }
   /// @}
 };

@@ -163,7 +163,7 @@ class SharedStrips {
   Error (*send_)(void* display, const Area& area, std::span<std::byte> pixels) = nullptr;
   StripAreas areas_{{}, 0, 0};
   TwoCoreBuffers buffers_{};
-  PixelFormat format_ = PixelFormat::rgb565;
+  DisplayFormat format_ = DisplayFormat::rgb565;
   std::uint16_t count_ = 0;
   // The lock guards the members below. Strip s is drawn into buffer s % kBuffers. All strips before `next_` are drawn
   // or being drawn, all before `written_` are sent or being sent, all before `free_` have certainly been sent.

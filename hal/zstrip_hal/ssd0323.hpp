@@ -55,7 +55,7 @@ class Ssd0323 {
   /// See the concept Display.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? kHeight : kWidth; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? kWidth : kHeight; }
-  constexpr PixelFormat format() const { return PixelFormat::gray4; }
+  constexpr DisplayFormat format() const { return DisplayFormat::gray4; }
 
   /// After an error the controller may still wait for parameters of an interrupted command: at most two.
   Error begin_frame() {
@@ -71,7 +71,7 @@ class Ssd0323 {
     if (sideways ? (area.top % 2 != 0 || area.height % 2 != 0) : (area.left % 2 != 0 || area.width % 2 != 0)) {
       return Error::alignment;
     }
-    const std::uint32_t row_bytes = bytes_per_row(area.width, PixelFormat::gray4);
+    const std::uint32_t row_bytes = bytes_per_row(area.width, DisplayFormat::gray4);
     if (pixels.size() < row_bytes * area.height) return Error::pixels_too_small;
     if (const Error error = set_window(area); error != Error::none) return error;
     if (sideways) return noted(send_columns(area, row_bytes, pixels));

@@ -82,7 +82,7 @@ class Ssd1306 {
   /// See the concept Display.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : config_.width; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
-  constexpr PixelFormat format() const { return PixelFormat::mono; }
+  constexpr DisplayFormat format() const { return DisplayFormat::mono; }
 
   /// After an error the controller may still wait for parameters of an interrupted command: at most two.
   Error begin_frame() {
@@ -99,7 +99,7 @@ class Ssd1306 {
     if (sideways ? (area.left % 8 != 0 || area.width % 8 != 0) : (area.top % 8 != 0 || area.height % 8 != 0)) {
       return Error::alignment;
     }
-    const std::uint32_t row_bytes = bytes_per_row(area.width, PixelFormat::mono);
+    const std::uint32_t row_bytes = bytes_per_row(area.width, DisplayFormat::mono);
     if (pixels.size() < row_bytes * area.height) return Error::pixels_too_small;
     if (const Error error = set_window(area); error != Error::none) return error;
     return noted(sideways ? send_rows(pixels.first(row_bytes * area.height)) : send_pages(area, row_bytes, pixels));

@@ -56,7 +56,7 @@ class Ssd1351 {
   /// See the concept Display.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : kColumns; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? kColumns : config_.height; }
-  constexpr PixelFormat format() const { return PixelFormat::rgb565_swapped; }
+  constexpr DisplayFormat format() const { return DisplayFormat::rgb565_swapped; }
 
   Error begin_frame() { return Error::none; }
   Error write(const Area& area, std::span<const std::byte> pixels) {

@@ -47,7 +47,7 @@ class Ssd1680 {
 
   /// Bytes of memory that the display needs: 4,736 for 128x296.
   static constexpr std::uint32_t memory_bytes(const Ssd1680Config& config) {
-    return bytes_per_row(config.width, PixelFormat::mono) * config.height;
+    return bytes_per_row(config.width, DisplayFormat::mono) * config.height;
   }
 
   /// Sends nothing: start() does.
@@ -79,12 +79,12 @@ class Ssd1680 {
   /// See the concept Display. Any rectangle may be written.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : config_.width; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
-  constexpr PixelFormat format() const { return PixelFormat::mono; }
+  constexpr DisplayFormat format() const { return DisplayFormat::mono; }
 
   Error begin_frame() { return Error::none; }
   Error write(const Area& area, std::span<const std::byte> pixels) {
     if (!contains(width(), height(), area)) return Error::area;
-    const std::uint32_t row_bytes = bytes_per_row(area.width, PixelFormat::mono);
+    const std::uint32_t row_bytes = bytes_per_row(area.width, DisplayFormat::mono);
     if (pixels.size() < row_bytes * area.height) return Error::pixels_too_small;
     if (memory_.size() < memory_bytes(config_)) return Error::framebuffer;
     const Scan scan = scan_of(config_.orientation);
@@ -153,7 +153,7 @@ class Ssd1680 {
 
   /// Column and row are those of the upright glass.
   void store(unsigned column, unsigned row, bool lit) {
-    std::byte& byte = memory_[row * bytes_per_row(config_.width, PixelFormat::mono) + column / 8];
+    std::byte& byte = memory_[row * bytes_per_row(config_.width, DisplayFormat::mono) + column / 8];
     const auto bit = static_cast<std::byte>(0x80U >> (column % 8));
     if (((byte & bit) != std::byte{0}) == lit) return;
     byte ^= bit;
@@ -202,7 +202,7 @@ class Ssd1680 {
 
   /// Sends the rows that differ. The controller counts columns in bytes.
   Error send_rows(std::byte memory) {
-    const std::uint32_t row_bytes = bytes_per_row(config_.width, PixelFormat::mono);
+    const std::uint32_t row_bytes = bytes_per_row(config_.width, DisplayFormat::mono);
     const unsigned left = config_.column_offset / 8U, right = left + row_bytes - 1U, last = end_ - 1U;
     Error error = send_command(bus_, std::byte{0x44}, left, right);
     if (error == Error::none) {

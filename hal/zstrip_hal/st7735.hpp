@@ -39,11 +39,11 @@ struct St7735Controller {
       0xE1, 16, 0x03, 0x1D, 0x07, 0x06, 0x2E, 0x2C, 0x29, 0x2D, 0x2E, 0x2E, 0x37, 0x3F, 0x00, 0x00, 0x02, 0x10);
   // clang-format on
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
     switch (format) {
-      case PixelFormat::rgb444: return 0x03;
-      case PixelFormat::rgb565_swapped: return 0x05;
-      case PixelFormat::rgb666: return 0x06;
+      case DisplayFormat::rgb444: return 0x03;
+      case DisplayFormat::rgb565_swapped: return 0x05;
+      case DisplayFormat::rgb666: return 0x06;
       default: return 0;
     }
   }

@@ -25,11 +25,11 @@ struct St7789Controller {
   static constexpr auto kSettings = bytes();  // the values after a reset suit these panels
 
   /// COLMOD: the upper digit sets the RGB interface, the lower digit the serial bus.
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
     switch (format) {
-      case PixelFormat::rgb444: return 0x53;
-      case PixelFormat::rgb565_swapped: return 0x55;
-      case PixelFormat::rgb666: return 0x66;
+      case DisplayFormat::rgb444: return 0x53;
+      case DisplayFormat::rgb565_swapped: return 0x55;
+      case DisplayFormat::rgb666: return 0x66;
       default: return 0;
     }
   }

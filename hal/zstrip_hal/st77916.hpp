@@ -21,8 +21,8 @@ struct St77916Controller {
   static constexpr std::uint32_t kId = 0;
   static constexpr auto kSettings = bytes();
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
-    return format == PixelFormat::rgb565_swapped ? 0x55 : 0;
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
+    return format == DisplayFormat::rgb565_swapped ? 0x55 : 0;
   }
   /// @}
 };

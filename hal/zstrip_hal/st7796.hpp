@@ -38,10 +38,10 @@ struct St7796Controller {
       0xF0, 1, 0x3C,  0xF0, 1, 0x69); // lock them again
   // clang-format on
 
-  static constexpr std::uint8_t pixel_format(PixelFormat format) {
+  static constexpr std::uint8_t pixel_format(DisplayFormat format) {
     switch (format) {
-      case PixelFormat::rgb565_swapped: return 0x55;
-      case PixelFormat::rgb666: return 0x66;
+      case DisplayFormat::rgb565_swapped: return 0x55;
+      case DisplayFormat::rgb666: return 0x66;
       default: return 0;
     }
   }

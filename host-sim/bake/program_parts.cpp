@@ -104,7 +104,7 @@ std::string panel_config(const View& view) {
   }
   if (sideways) config += "\n    .orientation = {.rotation = zstrip::hal::Rotation::by_90},";
   if (view.format == PixelFormat::rgb666 || view.format == PixelFormat::rgb444) {
-    config += fmt::format("\n    .format = zstrip::hal::PixelFormat::{},", name(view.format));
+    config += fmt::format("\n    .format = zstrip::hal::DisplayFormat::{},", name(view.format));
   }
   return "{" + config + " .inverted = true}";
 }
@@ -120,7 +120,7 @@ Result<Done> check_panel(const View& view) {
 
 Result<Done> check_format(const View& view) {
   // RGB565 is sent as bytes, the high one first.
-  if (view.format != PixelFormat::rgb565 && Panel::pixel_format(static_cast<hal::PixelFormat>(view.format)) == 0) {
+  if (view.format != PixelFormat::rgb565 && Panel::pixel_format(static_cast<hal::DisplayFormat>(view.format)) == 0) {
     return Failure{
         ExitStatus::usage,
         fmt::format("--format {}: the program is for an ST7789, which takes rgb565_swapped, rgb666 or rgb444",

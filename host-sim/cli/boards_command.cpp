@@ -34,7 +34,7 @@ Json megahertz(Nanoseconds cycle) {
 
 std::vector<std::string_view> formats_of(const PanelKind& panel) {
   std::vector<std::string_view> names;
-  for (const hal::PixelFormat format : panel.formats) names.emplace_back(name(core_format(format)));
+  for (const hal::DisplayFormat format : panel.formats) names.emplace_back(name(core_format(format)));
   return names;
 }
 

@@ -93,11 +93,11 @@ Result<PanelModule> parse_module(const std::string& size, const PanelKind& kind,
                                : ""));
 }
 
-Result<hal::PixelFormat> parse_panel_format(const std::string& text, const PanelKind& kind) {
+Result<hal::DisplayFormat> parse_panel_format(const std::string& text, const PanelKind& kind) {
   const Result<PixelFormat> format = parse_format(text);
   if (!format) return format.failure();
   std::vector<std::string_view> names;
-  for (const hal::PixelFormat each : kind.formats) {
+  for (const hal::DisplayFormat each : kind.formats) {
     if (each == hal_format(*format)) return each;
     names.emplace_back(name(core_format(each)));
   }
@@ -165,13 +165,13 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
     request.module = *module;
   }
   if (format) {
-    const Result<hal::PixelFormat> parsed = parse_panel_format(*format, **kind);
+    const Result<hal::DisplayFormat> parsed = parse_panel_format(*format, **kind);
     if (!parsed) return parsed.failure();
     request.format = *parsed;
   }
   const bool sideways = is_sideways(request.orientation);
   const std::uint16_t width = sideways ? request.module.height : request.module.width;
-  if (request.format == hal::PixelFormat::rgb444 && width % 2 != 0) {
+  if (request.format == hal::DisplayFormat::rgb444 && width % 2 != 0) {
     return usage(fmt::format("--format rgb444 needs an even width (or rotation {})", sideways ? "0, 180" : "90, 270"));
   }
   return std::optional<PanelRequest>{request};

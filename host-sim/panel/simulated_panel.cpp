@@ -35,7 +35,7 @@
 namespace zstrip::sim {
 namespace {
 
-using hal::PixelFormat;
+using hal::DisplayFormat;
 
 constexpr PanelModule kSt7789Modules[] = {{240, 240, 0, 0},  {240, 320, 0, 0},  {240, 280, 0, 20},
                                           {172, 320, 34, 0}, {170, 320, 35, 0}, {135, 240, 52, 40}};
@@ -54,13 +54,13 @@ constexpr PanelModule kSsd0323Modules[] = {{128, 64, 0, 0}};
 constexpr PanelModule kSsd1680Modules[] = {{128, 296, 0, 0}, {122, 250, 0, 0}};
 constexpr PanelModule kSt7262Modules[] = {{480, 272, 0, 0}};
 
-constexpr PixelFormat kColours[] = {PixelFormat::rgb565_swapped, PixelFormat::rgb666, PixelFormat::rgb444};
-constexpr PixelFormat kWideFirst[] = {PixelFormat::rgb666, PixelFormat::rgb565_swapped};
-constexpr PixelFormat kGreys[] = {PixelFormat::gray4};
-constexpr PixelFormat kMono[] = {PixelFormat::mono};
-constexpr PixelFormat kWords[] = {PixelFormat::rgb565};
+constexpr DisplayFormat kColours[] = {DisplayFormat::rgb565_swapped, DisplayFormat::rgb666, DisplayFormat::rgb444};
+constexpr DisplayFormat kWideFirst[] = {DisplayFormat::rgb666, DisplayFormat::rgb565_swapped};
+constexpr DisplayFormat kGreys[] = {DisplayFormat::gray4};
+constexpr DisplayFormat kMono[] = {DisplayFormat::mono};
+constexpr DisplayFormat kWords[] = {DisplayFormat::rgb565};
 
-constexpr std::span<const PixelFormat> kAll(kColours);
+constexpr std::span<const DisplayFormat> kAll(kColours);
 
 constexpr PanelKind kKinds[] = {
     {"st7789", kSt7789Modules, kAll, 66ns, 0ns},
@@ -93,7 +93,7 @@ class PanelOf final : public SimulatedPanel {
   hal::Error start() override { return driver_.start(); }
   std::uint16_t width() const override { return driver_.width(); }
   std::uint16_t height() const override { return driver_.height(); }
-  PixelFormat format() const override { return driver_.format(); }
+  DisplayFormat format() const override { return driver_.format(); }
   hal::Error begin_frame() override { return driver_.begin_frame(); }
   hal::Error write(const hal::Area& area, std::span<std::byte> pixels) override { return driver_.write(area, pixels); }
   hal::Error wait() override { return driver_.wait(); }
@@ -225,7 +225,7 @@ class RgbPanel final : public SimulatedPanel {
   }
   std::uint16_t width() const override { return driver_.width(); }
   std::uint16_t height() const override { return driver_.height(); }
-  PixelFormat format() const override { return driver_.format(); }
+  DisplayFormat format() const override { return driver_.format(); }
   hal::Error begin_frame() override { return driver_.begin_frame(); }
   hal::Error write(const hal::Area& area, std::span<std::byte> pixels) override {
     const std::size_t row = hal::bytes_per_row(area.width, format());
@@ -310,7 +310,7 @@ class ChangesPanel final : public SimulatedPanel {
   hal::Error start() override { return changes_.start(); }
   std::uint16_t width() const override { return changes_.width(); }
   std::uint16_t height() const override { return changes_.height(); }
-  PixelFormat format() const override { return changes_.format(); }
+  DisplayFormat format() const override { return changes_.format(); }
   hal::Error begin_frame() override { return changes_.begin_frame(); }
   hal::Error write(const hal::Area& area, std::span<std::byte> pixels) override { return changes_.write(area, pixels); }
   hal::Error wait() override { return changes_.wait(); }

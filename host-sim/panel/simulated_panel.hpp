@@ -29,12 +29,12 @@ struct PanelModule {
 /// A controller, by its name on the command line.
 struct PanelKind {
   const char* name;
-  std::span<const PanelModule> modules;       ///< the first one is the usual one
-  std::span<const hal::PixelFormat> formats;  ///< the first one is the usual one
-  Nanoseconds fastest_spi;                    ///< time of a cycle, from its data sheet; 0: it has no SPI
-  Nanoseconds fastest_i2c;                    ///< 0: it has no I2C
-  Nanoseconds fastest_qspi{};                 ///< 0: it has no QSPI
-  Nanoseconds fastest_rgb{};                  ///< of its pixel clock; 0: it is not refreshed by an RGB bus
+  std::span<const PanelModule> modules;         ///< the first one is the usual one
+  std::span<const hal::DisplayFormat> formats;  ///< the first one is the usual one
+  Nanoseconds fastest_spi;                      ///< time of a cycle, from its data sheet; 0: it has no SPI
+  Nanoseconds fastest_i2c;                      ///< 0: it has no I2C
+  Nanoseconds fastest_qspi{};                   ///< 0: it has no QSPI
+  Nanoseconds fastest_rgb{};                    ///< of its pixel clock; 0: it is not refreshed by an RGB bus
 
   /// Returns the time of a cycle on this bus, 0 if it has none.
   constexpr Nanoseconds fastest(BusKind bus) const {
@@ -59,7 +59,7 @@ struct PanelRequest {
   const PanelKind* kind = nullptr;
   PanelModule module;  ///< one of the kind's
   hal::Orientation orientation;
-  hal::PixelFormat format{};  ///< one of the kind's
+  hal::DisplayFormat format{};  ///< one of the kind's
   BusKind bus = BusKind::spi;
   Nanoseconds cycle{};   ///< one cycle of the bus's clock
   bool changes = false;  ///< only what changed since the frame before is sent (zstrip_hal/changed_tiles.hpp)
@@ -76,7 +76,7 @@ class SimulatedPanel {
   virtual hal::Error start() = 0;
   virtual std::uint16_t width() const = 0;
   virtual std::uint16_t height() const = 0;
-  virtual hal::PixelFormat format() const = 0;
+  virtual hal::DisplayFormat format() const = 0;
   virtual hal::Error begin_frame() = 0;
   virtual hal::Error write(const hal::Area& area, std::span<std::byte> pixels) = 0;
   virtual hal::Error wait() = 0;

@@ -18,7 +18,7 @@ class DisplayPair {
 
   std::uint16_t width() const { return first_.width(); }
   std::uint16_t height() const { return first_.height(); }
-  hal::PixelFormat format() const { return first_.format(); }
+  hal::DisplayFormat format() const { return first_.format(); }
 
   hal::Error begin_frame() { return either(first_.begin_frame(), second_.begin_frame()); }
   hal::Error write(const hal::Area& area, std::span<std::byte> pixels) {

@@ -8,8 +8,8 @@ namespace zstrip::sim {
 static_assert(hal::Display<PictureDisplay>);
 
 // tests/panels checks that both lists are equal.
-hal::PixelFormat hal_format(PixelFormat format) { return static_cast<hal::PixelFormat>(format); }
-PixelFormat core_format(hal::PixelFormat format) { return static_cast<PixelFormat>(format); }
+hal::DisplayFormat hal_format(PixelFormat format) { return static_cast<hal::DisplayFormat>(format); }
+PixelFormat core_format(hal::DisplayFormat format) { return static_cast<PixelFormat>(format); }
 
 hal::Error PictureDisplay::write(const hal::Area& area, std::span<const std::byte> pixels) {
   constexpr std::uint16_t kPixelsOfAByte = 8;  // of the format with the most pixels a byte

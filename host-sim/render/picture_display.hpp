@@ -11,8 +11,8 @@
 namespace zstrip::sim {
 
 /// Converts the core's name of a format to the HAL's.
-hal::PixelFormat hal_format(PixelFormat format);
-PixelFormat core_format(hal::PixelFormat format);
+hal::DisplayFormat hal_format(PixelFormat format);
+PixelFormat core_format(hal::DisplayFormat format);
 
 class PictureDisplay {
  public:
@@ -21,7 +21,7 @@ class PictureDisplay {
 
   std::uint16_t width() const { return view_.width; }
   std::uint16_t height() const { return view_.height; }
-  hal::PixelFormat format() const { return hal_format(view_.format); }
+  hal::DisplayFormat format() const { return hal_format(view_.format); }
 
   hal::Error begin_frame() { return hal::Error::none; }
   /// Areas must start at multiples of 8 pixels, and end at multiples or at the right side; error `area` otherwise.

@@ -78,7 +78,7 @@ class Memory final : public panel::DisplayAdapter<Memory> {
  private:
   std::vector<std::uint16_t> colours_ = std::vector<std::uint16_t>(kWidth * kHeight);
   hal::Framebuffer framebuffer_{std::as_writable_bytes(std::span(colours_)),
-                                {kWidth, kHeight, hal::PixelFormat::rgb565}};
+                                {kWidth, kHeight, hal::DisplayFormat::rgb565}};
 };
 
 std::vector<std::uint16_t> drawn_to_memory(Angle turn) {

@@ -58,7 +58,7 @@ class Model {
 std::vector<std::uint16_t> model_in_memory(std::uint32_t time) {
   std::vector<std::uint16_t> colours(kGlassWidth * kGlassHeight);
   hal::Framebuffer framebuffer{std::as_writable_bytes(std::span(colours)),
-                               {kGlassWidth, kGlassHeight, hal::PixelFormat::rgb565}};
+                               {kGlassWidth, kGlassHeight, hal::DisplayFormat::rgb565}};
   EXPECT_EQ(Model().draw(framebuffer, time), "");
   return colours;
 }

@@ -22,7 +22,7 @@ namespace {
 
 using namespace zstrip::adapters_test;
 
-template <display_pixel_format format, First first, zstrip::hal::PixelFormat... told>
+template <display_pixel_format format, First first, zstrip::hal::DisplayFormat... told>
 struct ZephyrParts {
   device driver{screen().fault == Fault::format ? PIXEL_FORMAT_RGB_888 : format, first};
   adapters::ZephyrDisplay adapter{&driver, told...};
@@ -66,7 +66,7 @@ std::unique_ptr<panel::AnyDisplay> open_zephyr_swapped() {
   return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565X, First::high>>>();
 }
 std::unique_ptr<panel::AnyDisplay> open_zephyr_mislabelled() {
-  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565, First::high, hal::PixelFormat::rgb565_swapped>>>();
+  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565, First::high, hal::DisplayFormat::rgb565_swapped>>>();
 }
 #endif
 }  // namespace zstrip::adapters_test

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "bake_fixture.hpp"
+#include "blob_sample.hpp"
 #include "zstrip/blob.hpp"
 
 namespace zstrip::sim::test {
@@ -168,7 +169,7 @@ TEST_F(Bake, ProgramsHaveThePanelTheNamespaceAndTheSkin) {
       text(kHouseModel, "b.ino", {"--size", "320x170", "--format", "rgb444", "--namespace", "house"});
   has(sideways, "kPanel{.width = 170, .height = 320, .column_offset = 35,\n");
   has(sideways, "    .orientation = {.rotation = zstrip::hal::Rotation::by_90},\n");
-  has(sideways, "    .format = zstrip::hal::PixelFormat::rgb444, .inverted = true};");
+  has(sideways, "    .format = zstrip::hal::DisplayFormat::rgb444, .inverted = true};");
   has(sideways, "player.open({house::kScene, house::kCamera");
   EXPECT_EQ(sideways.find("baked::"), std::string::npos);
   // Not wider than the controller's memory, but a module's glass on its side.

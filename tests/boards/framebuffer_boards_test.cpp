@@ -91,7 +91,7 @@ TEST_P(FaultingFramebufferBoards, FaultShowsOnConsoleAndScreen) {
   ASSERT_EQ(emulator.read_line(), words);
   std::vector<std::uint16_t> pixels(std::size_t{board.width} * board.height);
   hal::Framebuffer display(std::as_writable_bytes(std::span(pixels)),
-                           {board.width, board.height, hal::PixelFormat::rgb565});
+                           {board.width, board.height, hal::DisplayFormat::rgb565});
   ASSERT_EQ(hal::show_message(display, words), hal::Error::none);
   const ColourPicture expected = widened(pixels, board.width, board.height, board.low_bits);
   // The console is faster than the screen.

@@ -32,7 +32,7 @@ TEST(Framebuffer, CopiesEveryRectangle) {
             const std::size_t row = top + i / (2U * width), column = 2U * left + i % (2U * width);
             expected[row * kStride + column] = pixels[i];
           }
-          Framebuffer display(memory, {kWidth, kHeight, PixelFormat::rgb565, kStride});
+          Framebuffer display(memory, {kWidth, kHeight, DisplayFormat::rgb565, kStride});
           ASSERT_EQ(display.begin_frame(), Error::none);
           ASSERT_EQ(display.write({left, top, width, height}, pixels), Error::none);
           ASSERT_EQ(display.wait(), Error::none);
@@ -47,27 +47,27 @@ TEST(Framebuffer, CopiesEveryRectangle) {
 TEST(Framebuffer, RefusesMemoryThatIsTooSmall) {
   for (std::size_t bytes = 0; bytes < 3 * 20 + 12; ++bytes) {
     std::vector<std::byte> memory(bytes, kUntouched);
-    Framebuffer display(memory, {6, 4, PixelFormat::rgb565, 20});
+    Framebuffer display(memory, {6, 4, DisplayFormat::rgb565, 20});
     EXPECT_EQ(display.begin_frame(), Error::framebuffer) << bytes;
     EXPECT_EQ(display.write({0, 0, 6, 4}, numbered(48)), Error::framebuffer) << bytes;
     EXPECT_EQ(memory, std::vector<std::byte>(bytes, kUntouched));
   }
   std::vector<std::byte> memory(3 * 20 + 12);
-  EXPECT_EQ(Framebuffer(memory, {6, 4, PixelFormat::rgb565, 20}).begin_frame(), Error::none);
+  EXPECT_EQ(Framebuffer(memory, {6, 4, DisplayFormat::rgb565, 20}).begin_frame(), Error::none);
 }
 
 TEST(Framebuffer, RefusesRowsThatOverlapAndEmptyPictures) {
   std::vector<std::byte> memory(1000);
-  EXPECT_EQ(Framebuffer(memory, {6, 4, PixelFormat::rgb565, 11}).begin_frame(), Error::framebuffer);
-  EXPECT_EQ(Framebuffer(memory, {0, 4, PixelFormat::rgb565}).begin_frame(), Error::framebuffer);
-  EXPECT_EQ(Framebuffer(memory, {6, 0, PixelFormat::rgb565}).begin_frame(), Error::framebuffer);
-  EXPECT_EQ(Framebuffer(memory, {6, 4, PixelFormat::rgb565, 0xFFFFFFFF}).begin_frame(), Error::framebuffer);
-  EXPECT_EQ(Framebuffer(memory, {6, 4, PixelFormat::rgb565, 12}).begin_frame(), Error::none);
+  EXPECT_EQ(Framebuffer(memory, {6, 4, DisplayFormat::rgb565, 11}).begin_frame(), Error::framebuffer);
+  EXPECT_EQ(Framebuffer(memory, {0, 4, DisplayFormat::rgb565}).begin_frame(), Error::framebuffer);
+  EXPECT_EQ(Framebuffer(memory, {6, 0, DisplayFormat::rgb565}).begin_frame(), Error::framebuffer);
+  EXPECT_EQ(Framebuffer(memory, {6, 4, DisplayFormat::rgb565, 0xFFFFFFFF}).begin_frame(), Error::framebuffer);
+  EXPECT_EQ(Framebuffer(memory, {6, 4, DisplayFormat::rgb565, 12}).begin_frame(), Error::none);
 }
 
 TEST(Framebuffer, RefusesWrongRectangles) {
   std::vector<std::byte> memory(48, kUntouched);
-  Framebuffer display(memory, {6, 4, PixelFormat::rgb565});
+  Framebuffer display(memory, {6, 4, DisplayFormat::rgb565});
   const std::vector<std::byte> pixels = numbered(100);
   EXPECT_EQ(display.write({1, 0, 6, 1}, pixels), Error::area);
   EXPECT_EQ(display.write({0, 4, 1, 1}, pixels), Error::area);
@@ -78,7 +78,7 @@ TEST(Framebuffer, RefusesWrongRectangles) {
 
 TEST(Framebuffer, PixelsThatShareAByte) {
   std::vector<std::byte> memory(8, kUntouched);
-  Framebuffer display(memory, {7, 2, PixelFormat::gray4});
+  Framebuffer display(memory, {7, 2, DisplayFormat::gray4});
   const std::vector<std::byte> pixels = numbered(8);
   EXPECT_EQ(display.write({1, 0, 2, 1}, pixels), Error::alignment);
   EXPECT_EQ(display.write({0, 0, 3, 1}, pixels), Error::alignment);

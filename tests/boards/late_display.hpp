@@ -37,7 +37,7 @@ class LateDisplay {
 
   std::uint16_t width() const { return kWidth; }
   std::uint16_t height() const { return kHeight; }
-  PixelFormat format() const { return PixelFormat::gray4; }
+  DisplayFormat format() const { return DisplayFormat::gray4; }
 
   Error begin_frame() {
     if (step_.fails()) return Error::timeout;

@@ -14,15 +14,16 @@ namespace zstrip::hal {
 namespace {
 
 /// What a picture shows, a character for each pixel: '#' white, '.' black, '!' anything else.
-std::string drawn(const std::vector<std::byte>& memory, std::uint16_t width, std::uint16_t height, PixelFormat format) {
+std::string drawn(const std::vector<std::byte>& memory, std::uint16_t width, std::uint16_t height,
+                  DisplayFormat format) {
   std::string text;
   const std::uint32_t row_bytes = bytes_per_row(width, format), bits = bytes_per_row(8, format);
   for (std::uint32_t y = 0; y < height; ++y) {
     for (std::uint32_t x = 0; x < width; ++x) {
       unsigned ones = 0, counted = 0;
       for (std::uint32_t bit = x * bits; bit < (x + 1) * bits; ++bit) {
-        const bool unused =
-            (format == PixelFormat::xrgb8888 && bit / 8 % 4 == 3) || (format == PixelFormat::rgb666 && bit % 8 >= 6);
+        const bool unused = (format == DisplayFormat::xrgb8888 && bit / 8 % 4 == 3) ||
+                            (format == DisplayFormat::rgb666 && bit % 8 >= 6);
         const bool one = (std::to_integer<unsigned>(memory[y * row_bytes + bit / 8]) >> (7 - bit % 8) & 1U) != 0;
         if (unused && one) ones = 1000;
         if (unused) continue;
@@ -47,9 +48,9 @@ std::string enlarged(const std::vector<std::string>& rows) {
   return text;
 }
 
-constexpr PixelFormat kFormats[] = {PixelFormat::rgb565,  PixelFormat::rgb565_swapped, PixelFormat::gray4,
-                                    PixelFormat::mono,    PixelFormat::rgb666,         PixelFormat::rgb444,
-                                    PixelFormat::xrgb8888};
+constexpr DisplayFormat kFormats[] = {DisplayFormat::rgb565,  DisplayFormat::rgb565_swapped, DisplayFormat::gray4,
+                                      DisplayFormat::mono,    DisplayFormat::rgb666,         DisplayFormat::rgb444,
+                                      DisplayFormat::xrgb8888};
 
 TEST(MessageScreen, LettersInEveryFormat) {
   const std::string expected = enlarged({
@@ -60,7 +61,7 @@ TEST(MessageScreen, LettersInEveryFormat) {
                                    "#.#.##..###..#..",
                                }) +
                                std::string(32, '.') + "\n";
-  for (const PixelFormat format : kFormats) {
+  for (const DisplayFormat format : kFormats) {
     std::vector<std::byte> memory(bytes_per_row(32, format) * 16U, std::byte{0x5A});
     Framebuffer display(memory, {32, 16, format});
     ASSERT_EQ(show_message(display, "aBe7"), Error::none);
@@ -70,10 +71,10 @@ TEST(MessageScreen, LettersInEveryFormat) {
 
 TEST(MessageScreen, LinesBreakAtTheEdgeAndTheRestIsBlack) {
   const auto picture = [](const char* text, std::uint16_t width, std::uint16_t height) {
-    std::vector<std::byte> memory(bytes_per_row(width, PixelFormat::mono) * height, std::byte{0xFF});
-    Framebuffer display(memory, {width, height, PixelFormat::mono});
+    std::vector<std::byte> memory(bytes_per_row(width, DisplayFormat::mono) * height, std::byte{0xFF});
+    Framebuffer display(memory, {width, height, DisplayFormat::mono});
     EXPECT_EQ(show_message(display, text), Error::none);
-    return drawn(memory, width, height, PixelFormat::mono);
+    return drawn(memory, width, height, DisplayFormat::mono);
   };
   const std::string two_lines = picture("ABC", 16, 32);
   EXPECT_EQ(two_lines.substr(0, 16 * 17), picture("AB", 16, 16));
@@ -103,7 +104,7 @@ struct FailingDisplay {
   }
   std::uint16_t width() const { return 16; }
   std::uint16_t height() const { return 16; }
-  PixelFormat format() const { return PixelFormat::mono; }
+  DisplayFormat format() const { return DisplayFormat::mono; }
   Error begin_frame() { return use(); }
   Error write(const Area&, std::span<const std::byte>) { return use(); }
   Error wait() { return use(); }

@@ -23,7 +23,7 @@ struct Framebuffer {
 
   std::uint16_t width() const { return kColumns; }
   std::uint16_t height() const { return kRows; }
-  PixelFormat format() const { return PixelFormat::rgb565; }
+  DisplayFormat format() const { return DisplayFormat::rgb565; }
   Error begin_frame() { return Error::none; }
   Error write(const Area& area, std::span<const std::byte> pixels) {
     std::ranges::copy(pixels, bytes.begin() + area.top * kColumns * 2);

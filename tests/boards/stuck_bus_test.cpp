@@ -30,7 +30,7 @@ std::unique_ptr<Qemu> stuck(const char* how) {
 /// Its panel soon shows these words and nothing else, and then its watchdog resets it.
 void expect_message_and_reset(Qemu& board, const std::string& words) {
   std::vector<std::byte> memory(64 * 64);
-  hal::Framebuffer display(memory, {128, 64, hal::PixelFormat::gray4});
+  hal::Framebuffer display(memory, {128, 64, hal::DisplayFormat::gray4});
   ASSERT_EQ(hal::show_message(display, words), hal::Error::none);
   const GreyPicture expected = unpack_gray4(memory, 128, 64);
   // The console is faster than the panel, the watchdog slower than both.

@@ -23,9 +23,9 @@
 namespace zstrip::linux_mock {
 namespace {
 
+using hal::DisplayFormat;
 using hal::Error;
 using hal::I2cdevBus;
-using hal::PixelFormat;
 
 constexpr unsigned kAddress = 0x3D;
 
@@ -86,7 +86,7 @@ class LinuxMockedI2c : public testing::Test {
   static constexpr hal::Area kWhole{0, 0, 128, 64};
   static Error show(hal::Ssd1306<I2cdevBus>& display, const panels::Picture& picture) {
     if (const Error error = display.begin_frame(); error != Error::none) return error;
-    const Error written = display.write(kWhole, panels::bytes_of(picture, kWhole, PixelFormat::mono));
+    const Error written = display.write(kWhole, panels::bytes_of(picture, kWhole, DisplayFormat::mono));
     const Error sent = display.wait();
     const Error end = display.end_frame();
     return written != Error::none ? written : sent != Error::none ? sent : end;
@@ -109,15 +109,15 @@ TEST_F(LinuxMockedI2c, AnSsd1306ShowsAPicture) {
   ASSERT_TRUE(bus) << bus.fault().message;
   hal::Ssd1306 display(*bus);
   ASSERT_EQ(display.start(), Error::none);
-  const panels::Picture picture = panels::noise(128, 64, PixelFormat::mono, random_);
+  const panels::Picture picture = panels::noise(128, 64, DisplayFormat::mono, random_);
   EXPECT_EQ(show(display, picture), Error::none);
   expect_shown(picture);
 }
 
 // The frame that fails says so, the one after it is right, whichever of its transfers is refused.
 TEST_F(LinuxMockedI2c, EveryTransferOfAFrameMayFail) {
-  const panels::Picture lost = panels::noise(128, 64, PixelFormat::mono, random_);
-  const panels::Picture picture = panels::noise(128, 64, PixelFormat::mono, random_);
+  const panels::Picture lost = panels::noise(128, 64, DisplayFormat::mono, random_);
+  const panels::Picture picture = panels::noise(128, 64, DisplayFormat::mono, random_);
   std::size_t of_a_frame = 0;
   {
     auto bus = open();
@@ -168,7 +168,7 @@ TEST_F(LinuxMockedI2c, LongWritesAreSplitAndEachHasItsControlByte) {
 
 // A user who pulls the wires waits for a second at each frame, not for ever, and the picture comes back.
 TEST_F(LinuxMockedI2c, ABusThatHangsTakesATimeOutAndTheNextFrameIsRight) {
-  const panels::Picture picture = panels::noise(128, 64, PixelFormat::mono, random_);
+  const panels::Picture picture = panels::noise(128, 64, DisplayFormat::mono, random_);
   auto bus = open();
   ASSERT_TRUE(bus);
   hal::Ssd1306 display(*bus);
@@ -178,7 +178,7 @@ TEST_F(LinuxMockedI2c, ABusThatHangsTakesATimeOutAndTheNextFrameIsRight) {
   i2c_.timeout = std::min(i2c_.timeout, std::chrono::milliseconds(1500));
   i2c_.hangs = true;
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_EQ(show(display, panels::noise(128, 64, PixelFormat::mono, random_)), Error::timeout);
+  EXPECT_EQ(show(display, panels::noise(128, 64, DisplayFormat::mono, random_)), Error::timeout);
   const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - start;
   EXPECT_GE(waited.count(), I2cdevBus::kTimeout);
   EXPECT_LT(waited.count(), 2 * I2cdevBus::kTimeout) << "the frame is given up at its first transfer";

@@ -15,7 +15,7 @@ class KeepingDisplay : public AnyDisplay {
  public:
   std::uint16_t width() const override { return kWidth; }
   std::uint16_t height() const override { return kHeight; }
-  hal::PixelFormat format() const override { return hal::PixelFormat::rgb565; }
+  hal::DisplayFormat format() const override { return hal::DisplayFormat::rgb565; }
   hal::Error begin_frame() override {
     frames.emplace_back(std::size_t{kWidth} * kHeight * kPixelBytes, '\xAA');
     return hal::Error::none;

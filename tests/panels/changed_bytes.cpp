@@ -70,7 +70,7 @@ measured::Row row_of(const Case& of) {
   const auto panel = sim::open_panel({.kind = &kind,
                                       .module = kind.modules.front(),
                                       .orientation = {},
-                                      .format = hal::PixelFormat::rgb565_swapped,
+                                      .format = hal::DisplayFormat::rgb565_swapped,
                                       .bus = sim::BusKind::spi,
                                       .cycle = sim::Nanoseconds(80),
                                       .changes = true});

@@ -20,7 +20,7 @@ struct StripDrawn {
 struct Strips {
   const Picture& picture;
   hal::StripAreas areas;
-  hal::PixelFormat format;
+  hal::DisplayFormat format;
   StripDrawn draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
     const std::vector<std::byte> bytes = bytes_of(picture, areas.area(strip), format);
     std::copy(bytes.begin(), bytes.end(), pixels.begin());
@@ -112,7 +112,7 @@ TYPED_TEST(ChangedTiles, TheGlassShowsWhatWholeFramesShow) {
     Bench<TypeParam> bench(config);
     ASSERT_EQ(bench.display.start(), Error::none);
     const Area whole = bench.whole();
-    const hal::PixelFormat format = bench.display.format();
+    const hal::DisplayFormat format = bench.display.format();
     hal::ChangedTiles<decltype(bench.display), 256> display(bench.display);
     const Step step = TypeParam::step(config);
     Picture picture = bench.expected;

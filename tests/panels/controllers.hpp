@@ -27,8 +27,8 @@
 
 namespace zstrip::panels {
 
+using hal::DisplayFormat;
 using hal::Orientation;
-using hal::PixelFormat;
 using hal::Rotation;
 
 inline constexpr Orientation kOrientations[] = {
@@ -40,7 +40,7 @@ struct Step {
   unsigned x = 1, y = 1;
 };
 
-template <class Display, const sim::DcsPart& part, PixelFormat... formats>
+template <class Display, const sim::DcsPart& part, DisplayFormat... formats>
 struct Dcs {
   using Driver = Display;
   using Config = hal::DcsConfig;
@@ -49,7 +49,7 @@ struct Dcs {
   static std::vector<Config> configs() {
     std::vector<Config> all;
     for (const Orientation& orientation : kOrientations) {
-      for (const PixelFormat format : {formats...}) {
+      for (const DisplayFormat format : {formats...}) {
         for (const unsigned wiring : {0U, 1U, 2U, 7U, 12U}) {
           all.push_back({.width = 34,
                          .height = 22,
@@ -67,7 +67,7 @@ struct Dcs {
     }
     return all;
   }
-  static Step step(const Config& config) { return {config.format == PixelFormat::rgb444 ? 2U : 1U, 1}; }
+  static Step step(const Config& config) { return {config.format == DisplayFormat::rgb444 ? 2U : 1U, 1}; }
   static std::unique_ptr<sim::DcsModel> model(const Config& config) {
     return std::make_unique<sim::DcsModel>(part, sim::Glass{.width = config.width,
                                                             .height = config.height,
@@ -81,22 +81,22 @@ struct Dcs {
   static Driver driver(sim::ModelBus& bus, const Config& config) { return Driver(bus, bus, config); }
 };
 
-using St7789 = Dcs<hal::St7789<sim::ModelBus, sim::ModelBus>, sim::kSt7789Part, PixelFormat::rgb565_swapped,
-                   PixelFormat::rgb666, PixelFormat::rgb444>;
-using Ili9341 = Dcs<hal::Ili9341<sim::ModelBus, sim::ModelBus>, sim::kIli9341Part, PixelFormat::rgb565_swapped,
-                    PixelFormat::rgb666>;
-using St7735 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus>, sim::kSt7735Part, PixelFormat::rgb565_swapped,
-                   PixelFormat::rgb666, PixelFormat::rgb444>;
+using St7789 = Dcs<hal::St7789<sim::ModelBus, sim::ModelBus>, sim::kSt7789Part, DisplayFormat::rgb565_swapped,
+                   DisplayFormat::rgb666, DisplayFormat::rgb444>;
+using Ili9341 = Dcs<hal::Ili9341<sim::ModelBus, sim::ModelBus>, sim::kIli9341Part, DisplayFormat::rgb565_swapped,
+                    DisplayFormat::rgb666>;
+using St7735 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus>, sim::kSt7735Part, DisplayFormat::rgb565_swapped,
+                   DisplayFormat::rgb666, DisplayFormat::rgb444>;
 using St7735Gm11 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus, hal::St7735Gm11Controller>, sim::kSt7735Gm11Part,
-                       PixelFormat::rgb565_swapped>;
-using Gc9a01 =
-    Dcs<hal::Gc9a01<sim::ModelBus, sim::ModelBus>, sim::kGc9a01Part, PixelFormat::rgb565_swapped, PixelFormat::rgb666>;
-using St7796 =
-    Dcs<hal::St7796<sim::ModelBus, sim::ModelBus>, sim::kSt7796Part, PixelFormat::rgb565_swapped, PixelFormat::rgb666>;
-using Ili9342 = Dcs<hal::Ili9342<sim::ModelBus, sim::ModelBus>, sim::kIli9342Part, PixelFormat::rgb565_swapped,
-                    PixelFormat::rgb666>;
-using Ili9488 = Dcs<hal::Ili9488<sim::ModelBus, sim::ModelBus>, sim::kIli9488Part, PixelFormat::rgb565_swapped,
-                    PixelFormat::rgb666>;
+                       DisplayFormat::rgb565_swapped>;
+using Gc9a01 = Dcs<hal::Gc9a01<sim::ModelBus, sim::ModelBus>, sim::kGc9a01Part, DisplayFormat::rgb565_swapped,
+                   DisplayFormat::rgb666>;
+using St7796 = Dcs<hal::St7796<sim::ModelBus, sim::ModelBus>, sim::kSt7796Part, DisplayFormat::rgb565_swapped,
+                   DisplayFormat::rgb666>;
+using Ili9342 = Dcs<hal::Ili9342<sim::ModelBus, sim::ModelBus>, sim::kIli9342Part, DisplayFormat::rgb565_swapped,
+                    DisplayFormat::rgb666>;
+using Ili9488 = Dcs<hal::Ili9488<sim::ModelBus, sim::ModelBus>, sim::kIli9488Part, DisplayFormat::rgb565_swapped,
+                    DisplayFormat::rgb666>;
 /// On QSPI, with even offsets and areas where the part wants them, and the orientations that it has.
 template <template <class, class> class Display, const sim::DcsPart& part>
 struct QspiDcs {

@@ -10,17 +10,17 @@ namespace {
 
 struct Format {
   zstrip::PixelFormat core;
-  zstrip::hal::PixelFormat hal;
+  zstrip::hal::DisplayFormat hal;
   std::uint32_t bits;  // of a pixel
 };
 constexpr Format kFormats[] = {
-    {zstrip::PixelFormat::rgb565, zstrip::hal::PixelFormat::rgb565, 16},
-    {zstrip::PixelFormat::rgb565_swapped, zstrip::hal::PixelFormat::rgb565_swapped, 16},
-    {zstrip::PixelFormat::gray4, zstrip::hal::PixelFormat::gray4, 4},
-    {zstrip::PixelFormat::mono, zstrip::hal::PixelFormat::mono, 1},
-    {zstrip::PixelFormat::rgb666, zstrip::hal::PixelFormat::rgb666, 24},
-    {zstrip::PixelFormat::rgb444, zstrip::hal::PixelFormat::rgb444, 12},
-    {zstrip::PixelFormat::xrgb8888, zstrip::hal::PixelFormat::xrgb8888, 32},
+    {zstrip::PixelFormat::rgb565, zstrip::hal::DisplayFormat::rgb565, 16},
+    {zstrip::PixelFormat::rgb565_swapped, zstrip::hal::DisplayFormat::rgb565_swapped, 16},
+    {zstrip::PixelFormat::gray4, zstrip::hal::DisplayFormat::gray4, 4},
+    {zstrip::PixelFormat::mono, zstrip::hal::DisplayFormat::mono, 1},
+    {zstrip::PixelFormat::rgb666, zstrip::hal::DisplayFormat::rgb666, 24},
+    {zstrip::PixelFormat::rgb444, zstrip::hal::DisplayFormat::rgb444, 12},
+    {zstrip::PixelFormat::xrgb8888, zstrip::hal::DisplayFormat::xrgb8888, 32},
 };
 static_assert(std::size(kFormats) == static_cast<std::size_t>(zstrip::kLastPixelFormat) + 1,
               "a format is missing here");

@@ -186,10 +186,11 @@ TEST(PanelI2c, AnSsd1306ShowsAPicture) {
   Bench bench;
   Ssd1306 display(bench.bus);
   std::mt19937 random(1);
-  const panels::Picture picture = panels::noise(128, 64, PixelFormat::mono, random);
+  const panels::Picture picture = panels::noise(128, 64, DisplayFormat::mono, random);
   ASSERT_EQ(bench.writer.start(), Error::none);
   ASSERT_EQ(display.start(), Error::none);
-  ASSERT_EQ(display.write({0, 0, 128, 64}, panels::bytes_of(picture, {0, 0, 128, 64}, PixelFormat::mono)), Error::none);
+  ASSERT_EQ(display.write({0, 0, 128, 64}, panels::bytes_of(picture, {0, 0, 128, 64}, DisplayFormat::mono)),
+            Error::none);
   ASSERT_EQ(display.wait(), Error::none);
 
   sim::Ssd1306Model panel;

@@ -121,11 +121,11 @@ TEST(PanelParallelBus, AnSt7789ShowsAPicture) {
   St7789 display(bus, clock, {.width = kWidth, .height = kHeight, .inverted = true});
   std::mt19937 random(1);
   const Area whole{0, 0, kWidth, kHeight};
-  const panels::Picture picture = panels::noise(kWidth, kHeight, PixelFormat::rgb565_swapped, random);
+  const panels::Picture picture = panels::noise(kWidth, kHeight, DisplayFormat::rgb565_swapped, random);
   ASSERT_EQ(bus.start(), Error::none);
   wires.started = true;
   ASSERT_EQ(display.start(), Error::none);
-  ASSERT_EQ(display.write(whole, panels::bytes_of(picture, whole, PixelFormat::rgb565_swapped)), Error::none);
+  ASSERT_EQ(display.write(whole, panels::bytes_of(picture, whole, DisplayFormat::rgb565_swapped)), Error::none);
   ASSERT_EQ(display.wait(), Error::none);
 
   sim::DcsModel panel(sim::kSt7789Part, {.width = kWidth, .height = kHeight, .inverted = true});

@@ -7,20 +7,20 @@
 namespace zstrip::panels {
 namespace {
 
-using hal::PixelFormat;
+using hal::DisplayFormat;
 
 /// Bits of each channel; a grey counts as three equal channels.
-std::array<unsigned, 3> channel_bits(PixelFormat format) {
+std::array<unsigned, 3> channel_bits(DisplayFormat format) {
   switch (format) {
-    case PixelFormat::rgb444: return {4, 4, 4};
-    case PixelFormat::rgb666: return {6, 6, 6};
-    case PixelFormat::gray4: return {4, 4, 4};
-    case PixelFormat::mono: return {1, 1, 1};
+    case DisplayFormat::rgb444: return {4, 4, 4};
+    case DisplayFormat::rgb666: return {6, 6, 6};
+    case DisplayFormat::gray4: return {4, 4, 4};
+    case DisplayFormat::mono: return {1, 1, 1};
     default: return {5, 6, 5};
   }
 }
 
-bool is_grey(PixelFormat format) { return format == PixelFormat::gray4 || format == PixelFormat::mono; }
+bool is_grey(DisplayFormat format) { return format == DisplayFormat::gray4 || format == DisplayFormat::mono; }
 
 /// From `bits` to `more` bits, by repeating them.
 unsigned widened(unsigned value, unsigned bits, unsigned more) {
@@ -30,7 +30,7 @@ unsigned widened(unsigned value, unsigned bits, unsigned more) {
 }
 
 /// As it is seen: memories of colour panels have 6 bits a channel.
-std::uint8_t seen(unsigned value, unsigned bits, PixelFormat format) {
+std::uint8_t seen(unsigned value, unsigned bits, DisplayFormat format) {
   return static_cast<std::uint8_t>(is_grey(format) ? widened(value, bits, 8) : widened(widened(value, bits, 6), 6, 8));
 }
 
@@ -48,7 +48,7 @@ Picture black(std::uint16_t width, std::uint16_t height) {
   return {width, height, std::vector<std::array<std::uint8_t, 3>>(std::size_t{width} * height)};
 }
 
-Picture noise(std::uint16_t width, std::uint16_t height, PixelFormat format, std::mt19937& random) {
+Picture noise(std::uint16_t width, std::uint16_t height, DisplayFormat format, std::mt19937& random) {
   Picture picture = black(width, height);
   const std::array<unsigned, 3> bits = channel_bits(format);
   for (auto& pixel : picture.pixels) {
@@ -59,7 +59,7 @@ Picture noise(std::uint16_t width, std::uint16_t height, PixelFormat format, std
   return picture;
 }
 
-std::vector<std::byte> bytes_of(const Picture& picture, const hal::Area& area, PixelFormat format) {
+std::vector<std::byte> bytes_of(const Picture& picture, const hal::Area& area, DisplayFormat format) {
   std::vector<std::byte> bytes;
   const std::array<unsigned, 3> bits = channel_bits(format);
   for (unsigned y = area.top; y < unsigned{area.top} + area.height; ++y) {
@@ -73,7 +73,7 @@ std::vector<std::byte> bytes_of(const Picture& picture, const hal::Area& area, P
       const std::array<std::uint8_t, 3>& pixel = picture.at(x, y);
       for (std::size_t i = 0; i < (is_grey(format) ? 1U : 3U); ++i) {
         put(unsigned{pixel[i]} >> (8 - bits[i]), bits[i]);
-        if (format == PixelFormat::rgb666) put((x + y) % 4, 2);  // they do not count
+        if (format == DisplayFormat::rgb666) put((x + y) % 4, 2);  // they do not count
       }
     }
     if (count != 0) put(0, 8 - count);

@@ -25,9 +25,9 @@ struct Picture {
 
 Picture black(std::uint16_t width, std::uint16_t height);
 /// Of the colours that `format` has.
-Picture noise(std::uint16_t width, std::uint16_t height, hal::PixelFormat format, std::mt19937& random);
+Picture noise(std::uint16_t width, std::uint16_t height, hal::DisplayFormat format, std::mt19937& random);
 /// Rows of a rectangle as a display takes them.
-std::vector<std::byte> bytes_of(const Picture& picture, const hal::Area& area, hal::PixelFormat format);
+std::vector<std::byte> bytes_of(const Picture& picture, const hal::Area& area, hal::DisplayFormat format);
 /// `from`'s rectangle into `to`, which has its size.
 void copy(const Picture& from, const hal::Area& area, Picture& to);
 /// As it lies on the upright glass.

@@ -17,7 +17,7 @@ struct Drawn {
 /// Draws the strips of a picture; the buffers hold garbage beyond.
 struct PictureStrips {
   const Picture& picture;
-  PixelFormat format;
+  hal::DisplayFormat format;
   std::uint16_t rows;
   Drawn draw_strip(std::uint16_t strip, std::span<std::byte> pixels) const {
     std::ranges::fill(pixels, std::byte{0x5A});

@@ -72,7 +72,7 @@ TEST(PanelQspi, OrientationsAndEdgesThatAControllerDoesNotHaveAreRefused) {
     EXPECT_EQ(bench.display.start(), Error::configuration);
     EXPECT_EQ(bench.bus.transfers(), 0);
   }
-  Bench<Co5300> wide({.width = 34, .height = 22, .format = PixelFormat::rgb666});
+  Bench<Co5300> wide({.width = 34, .height = 22, .format = DisplayFormat::rgb666});
   EXPECT_EQ(wide.display.start(), Error::configuration);
 }
 

@@ -60,7 +60,7 @@ struct Paper {
 
   Area whole() const { return {0, 0, display.width(), display.height()}; }
   Error write(const Area& area, const Picture& picture) {
-    std::vector<std::byte> bytes = bytes_of(picture, area, PixelFormat::mono);
+    std::vector<std::byte> bytes = bytes_of(picture, area, DisplayFormat::mono);
     bytes.push_back(std::byte{0xFF});
     const Error error = display.write(area, bytes);
     if (error == Error::none) copy(picture, area, expected);
@@ -78,7 +78,7 @@ struct Paper {
     return display.start();
   }
   Picture some(std::mt19937& random) const {
-    return noise(display.width(), display.height(), PixelFormat::mono, random);
+    return noise(display.width(), display.height(), DisplayFormat::mono, random);
   }
   std::string fault() const {
     if (!panel.complaints().empty()) return panel.complaints().front();
@@ -172,8 +172,8 @@ TEST(PanelPaper, StripsOfAnyHeightBecomeOneRefresh) {
     ASSERT_EQ(paper.display.start(), Error::none);
     for (const std::uint16_t rows : {std::uint16_t{7}, std::uint16_t{16}}) {
       const Picture picture = paper.some(random);
-      PictureStrips renderer{picture, PixelFormat::mono, rows};
-      const std::uint32_t bytes = rows * bytes_per_row(paper.display.width(), PixelFormat::mono);
+      PictureStrips renderer{picture, DisplayFormat::mono, rows};
+      const std::uint32_t bytes = rows * bytes_per_row(paper.display.width(), DisplayFormat::mono);
       std::vector<std::byte> first(bytes), second(bytes);
       const auto count = static_cast<std::uint16_t>((paper.display.height() + rows - 1) / rows);
       ASSERT_TRUE(hal::present(renderer, paper.display, {count, rows}, {first, second}));

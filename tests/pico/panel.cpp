@@ -43,7 +43,7 @@ std::vector<std::uint16_t> pixels_of(const sim::RgbImage& image) {
 
 std::vector<std::uint16_t> picture_of_words(const std::string& words) {
   std::vector<std::byte> memory(2 * kPixels);
-  hal::Framebuffer display(memory, {kSide, kSide, hal::PixelFormat::rgb565_swapped});
+  hal::Framebuffer display(memory, {kSide, kSide, hal::DisplayFormat::rgb565_swapped});
   if (hal::show_message(display, words) != hal::Error::none) throw std::runtime_error("no picture of " + words);
   std::vector<std::uint16_t> pixels;
   for (std::size_t at = 0; at < memory.size(); at += 2) {

@@ -76,7 +76,7 @@ bool counts_milliseconds() {
 std::vector<std::uint8_t> expected_picture() {
   constexpr std::uint16_t kSide = 240;
   std::vector<std::byte> memory(std::size_t{2} * kSide * kSide);
-  hal::Framebuffer display(memory, {kSide, kSide, hal::PixelFormat::rgb565_swapped});
+  hal::Framebuffer display(memory, {kSide, kSide, hal::DisplayFormat::rgb565_swapped});
   EXPECT_EQ(hal::show_message(display, kWords), hal::Error::none);
   std::vector<std::uint8_t> lit;
   for (std::size_t at = 0; at < memory.size(); at += 2) lit.push_back(memory[at] == std::byte{0xFF});

@@ -57,7 +57,7 @@ inline Blob blob_of(const std::string& scene) {
 struct Screen {
   std::vector<std::byte> pixels;
   hal::Framebuffer display;
-  Screen(std::uint16_t width, std::uint16_t height, hal::PixelFormat format)
+  Screen(std::uint16_t width, std::uint16_t height, hal::DisplayFormat format)
       : pixels(height * hal::bytes_per_row(width, format)), display(pixels, {width, height, format}) {}
 };
 

@@ -16,7 +16,7 @@ TEST(CPlayer, DrawsWhatARendererDraws) {
   const Font fonts[] = {kSmallFont};
   const Label labels[] = {{.text = std::span("C - fps"), .x = 2, .y = 2, .background = {0, 0, 0, 255}}};
   const Overlay overlay{.fonts = fonts, .labels = labels};
-  const Screen screen(120, 90, hal::PixelFormat::rgb565);
+  const Screen screen(120, 90, hal::DisplayFormat::rgb565);
   for (const zstrip_pipeline* pipeline : {&kAnyPipeline, &kTeapotPipeline}) {
     for (const std::size_t beyond : {0U, 5U}) {
       Memory memory(20'000, beyond);

@@ -67,7 +67,7 @@ std::vector<std::byte> drawn_as_by_a_header(Blob& blob, const Screen& screen, st
 
 struct Figure {
   Blob blob = blob_of("figure");
-  Screen screen{96, 128, hal::PixelFormat::rgb565};
+  Screen screen{96, 128, hal::DisplayFormat::rgb565};
   Memory memory;
   Player player{memory.span(), drawn_with_any};
   explicit Figure(std::size_t bytes = 1 << 20) : memory(bytes) {}

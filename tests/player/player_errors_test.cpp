@@ -6,7 +6,7 @@ namespace {
 
 struct Lit {
   Blob blob = blob_of("teapot_meshlets");
-  Screen screen{120, 90, hal::PixelFormat::rgb565};
+  Screen screen{120, 90, hal::DisplayFormat::rgb565};
   Memory memory{100'000};
   Player player{memory.span(), drawn_with_any};
   bool open_and_fit() { return player.open(blob.data(), blob.size()) && player.fit(screen.display); }
@@ -77,7 +77,7 @@ TEST(PlayerErrors, OfMemory) {
 TEST(PlayerErrors, OfEffects) {
   const auto said = [](const char* scene, ChoosePipeline choose) {
     Blob blob = blob_of(scene);
-    Screen screen(80, 60, hal::PixelFormat::rgb565);
+    Screen screen(80, 60, hal::DisplayFormat::rgb565);
     Memory memory(1 << 20);
     Player player(memory.span(), choose);
     EXPECT_TRUE(player.open(blob.data(), blob.size())) << player.error();
@@ -104,12 +104,12 @@ TEST(PlayerErrors, OfTextWithoutItsEffect) {
 TEST(PlayerErrors, OfDisplays) {
   Lit lit;
   ASSERT_TRUE(lit.open_and_fit()) << lit.player.error();
-  Screen other(120, 91, hal::PixelFormat::rgb565), swapped(120, 90, hal::PixelFormat::rgb565_swapped);
+  Screen other(120, 91, hal::DisplayFormat::rgb565), swapped(120, 90, hal::DisplayFormat::rgb565_swapped);
   for (Screen* each : {&other, &swapped}) {
     EXPECT_FALSE(lit.player.draw(each->display));
     EXPECT_STREQ(lit.player.error(), "the display has not the size and format that were fitted");
   }
-  hal::Framebuffer broken(std::span(lit.screen.pixels).first(10), {120, 90, hal::PixelFormat::rgb565});
+  hal::Framebuffer broken(std::span(lit.screen.pixels).first(10), {120, 90, hal::DisplayFormat::rgb565});
   EXPECT_FALSE(lit.player.draw(broken));
   EXPECT_EQ(std::string(lit.player.error()),
             std::string("the display failed: ") + hal::message(hal::Error::framebuffer));
@@ -186,7 +186,7 @@ TEST(PlayerErrors, DamagedScenesHarmNothing) {
   int drawn = 0, refused = 0;
   for (const char* scene : {"fog", "robot", "overlay"}) {
     Blob whole = blob_of(scene);
-    Screen screen(48, 32, hal::PixelFormat::rgb565);
+    Screen screen(48, 32, hal::DisplayFormat::rgb565);
     Memory memory(400'000);
     for (int i = 0; i < 300; ++i) {
       Blob blob(whole.size());

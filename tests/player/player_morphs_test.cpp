@@ -15,7 +15,7 @@ namespace {
 /// A model with morph targets, its player, and what its blob holds.
 struct Morphing {
   Blob blob;
-  Screen screen{96, 96, hal::PixelFormat::rgb565};
+  Screen screen{96, 96, hal::DisplayFormat::rgb565};
   Memory memory;
   Player player{memory.span(), drawn_with_any};
   Memory tables{1 << 20};

@@ -6,9 +6,10 @@
 namespace zstrip::test {
 namespace {
 
-constexpr hal::PixelFormat kFormats[] = {
-    hal::PixelFormat::rgb565, hal::PixelFormat::rgb565_swapped, hal::PixelFormat::gray4,   hal::PixelFormat::mono,
-    hal::PixelFormat::rgb666, hal::PixelFormat::rgb444,         hal::PixelFormat::xrgb8888};
+constexpr hal::DisplayFormat kFormats[] = {hal::DisplayFormat::rgb565,  hal::DisplayFormat::rgb565_swapped,
+                                           hal::DisplayFormat::gray4,   hal::DisplayFormat::mono,
+                                           hal::DisplayFormat::rgb666,  hal::DisplayFormat::rgb444,
+                                           hal::DisplayFormat::xrgb8888};
 constexpr std::size_t kMuch = 4 << 20;
 
 /// The number of bytes that the player says are missing; 0 if it says something else.
@@ -55,7 +56,7 @@ TEST(Player, DrawsWhatARendererDraws) {
 
 TEST(Player, DrawsEveryFormat) {
   Blob blob = blob_of("room");
-  for (const hal::PixelFormat format : kFormats) {
+  for (const hal::DisplayFormat format : kFormats) {
     Screen screen(90, 60, format);
     Memory memory(least_memory(blob, screen) + 5000, 3);  // at an odd address
     Player player(memory.span(), drawn_with_any);
@@ -67,7 +68,7 @@ TEST(Player, DrawsEveryFormat) {
 
 TEST(Player, DrawsWithThePipelineOfAScene) {
   Blob blob = blob_of("teapot_meshlets");
-  Screen screen(160, 120, hal::PixelFormat::rgb565);
+  Screen screen(160, 120, hal::DisplayFormat::rgb565);
   for (const std::uint8_t buffers : {std::uint8_t{1}, std::uint8_t{2}}) {
     Memory memory(60'000);
     Player player(memory.span(), drawn_with<kTeapot>);
@@ -84,7 +85,7 @@ TEST(Player, TakesTheConstantsOfAHeader) {
   SceneBlob opened;
   Memory tables(1 << 16), memory(60'000);
   ASSERT_TRUE(open_scene_blob(blob.memory.span(), tables.span(), opened));
-  Screen screen(100, 120, hal::PixelFormat::rgb565);
+  Screen screen(100, 120, hal::DisplayFormat::rgb565);
   Player player(memory.span(), drawn_with_any);
   ASSERT_TRUE(player.open({opened.scene, opened.camera_for(2), opened.animation, opened.turn}, opened.view));
   ASSERT_TRUE(player.fit(screen.display)) << player.error();
@@ -95,7 +96,7 @@ TEST(Player, TakesTheConstantsOfAHeader) {
 
 TEST(Player, HasOneBufferOrTwo) {
   Blob blob = blob_of("teapot_meshlets");
-  Screen screen(160, 120, hal::PixelFormat::rgb565);
+  Screen screen(160, 120, hal::DisplayFormat::rgb565);
   for (int buffers = 0; buffers < 5; ++buffers) {
     Memory memory(30'000);
     Player player(memory.span(), drawn_with_any);
@@ -109,7 +110,7 @@ TEST(Player, HasOneBufferOrTwo) {
 
 TEST(Player, HasTheRowsOfItsOptionsWhereTheyFit) {
   Blob blob = blob_of("teapot_meshlets");
-  Screen screen(160, 120, hal::PixelFormat::rgb565);
+  Screen screen(160, 120, hal::DisplayFormat::rgb565);
   const FitOptions options{.strip_rows = 40};
   const std::size_t least = least_memory(blob, screen);
   for (const auto& [memory_size, fits] : {std::pair{kMuch, true}, {least, false}}) {
@@ -131,7 +132,7 @@ TEST(Player, HasTheRowsOfItsOptionsWhereTheyFit) {
 
 TEST(Player, HandsOutStrips) {
   Blob blob = blob_of("teapot_meshlets");
-  Screen screen(160, 120, hal::PixelFormat::rgb565);
+  Screen screen(160, 120, hal::DisplayFormat::rgb565);
   Memory memory(least_memory(blob, screen) + 2000);
   Player player(memory.span(), drawn_with_any);
   ASSERT_TRUE(player.open(blob.data(), blob.size()) && player.fit(160, 120, PixelFormat::rgb565)) << player.error();
@@ -155,7 +156,7 @@ struct Pages : hal::Framebuffer {
 TEST(Player, StripsHaveWholeStepsOfRows) {
   Blob blob = blob_of("teapot_meshlets");
   std::vector<std::byte> pixels(128 * 64 / 8);
-  Pages panel(pixels, {128, 64, hal::PixelFormat::mono});
+  Pages panel(pixels, {128, 64, hal::DisplayFormat::mono});
   int fitted = 0;
   for (std::size_t size = 6'000; size < 40'000; size += 997) {
     Memory memory(size);
@@ -167,7 +168,7 @@ TEST(Player, StripsHaveWholeStepsOfRows) {
     ++fitted;
     EXPECT_EQ(player.plan().strip_rows % 8, 0) << size;
     ASSERT_TRUE(player.draw(panel)) << player.error();
-    EXPECT_EQ(pixels, drawn_directly(blob, Screen(128, 64, hal::PixelFormat::mono)));
+    EXPECT_EQ(pixels, drawn_directly(blob, Screen(128, 64, hal::DisplayFormat::mono)));
   }
   EXPECT_GT(fitted, 10);
 }
@@ -175,7 +176,7 @@ TEST(Player, StripsHaveWholeStepsOfRows) {
 TEST(Player, SaysToTheByteWhatIsMissing) {
   for (const std::string scene : kScenes) {
     Blob blob = blob_of(scene);
-    const Screen screen(160, 120, hal::PixelFormat::rgb444);
+    const Screen screen(160, 120, hal::DisplayFormat::rgb444);
     for (const std::uint8_t buffers : {std::uint8_t{1}, std::uint8_t{2}}) {
       const std::size_t least = least_memory(blob, screen, {.strip_buffers = buffers});
       for (const std::size_t lacking : {1U, 40U, 2000U}) {
@@ -208,7 +209,7 @@ class PlayerOfTeapot : public testing::Test {
   }
 
   Blob blob = blob_of("teapot_meshlets");
-  Screen screen{120, 90, hal::PixelFormat::rgb565};
+  Screen screen{120, 90, hal::DisplayFormat::rgb565};
   Memory memory{100'000}, tables{1 << 16};
   Player player{memory.span(), drawn_with_any};
 };
@@ -351,7 +352,7 @@ TEST(Player, PicksNothingBeforeItIsFitted) {
 
 TEST(Player, TextIsBesideTheOverlayOfTheScene) {
   Blob blob = blob_of("overlay");
-  Screen screen(160, 120, hal::PixelFormat::rgb565);
+  Screen screen(160, 120, hal::DisplayFormat::rgb565);
   Memory memory(kMuch), tables(kMuch);
   Player player(memory.span(), drawn_with_any);
   ASSERT_TRUE(player.open(blob.data(), blob.size()) && player.fit(screen.display)) << player.error();
@@ -379,7 +380,7 @@ using Changes = hal::ChangedTiles<hal::Framebuffer, 100>;
 /// Versions of fingerprints began with 0 in each player, so that strips of the scene before were left out.
 TEST(PlayerChangedTiles, AnotherPlayerDrawsOtherBytesAtTheAddressOfABlob) {
   Blob blob = blob_of("teapot_meshlets");
-  Screen screen(120, 90, hal::PixelFormat::rgb565);
+  Screen screen(120, 90, hal::DisplayFormat::rgb565);
   Changes changes(screen.display);
   Memory memory(100'000);
   for (const bool other : {false, true}) {
@@ -410,7 +411,7 @@ TEST(PlayerChangedTiles, AnotherPlayerDrawsConstantsThatChanged) {
   const Scene scene{
       .meshes = {&mesh, 1}, .materials = {&material, 1}, .textures = {}, .instances = {&instance, 1}, .lights = {}};
   const View view{120, 90};
-  Screen screen(120, 90, hal::PixelFormat::rgb565), whole(120, 90, hal::PixelFormat::rgb565);
+  Screen screen(120, 90, hal::DisplayFormat::rgb565), whole(120, 90, hal::DisplayFormat::rgb565);
   Changes changes(screen.display);
   Memory memories[]{Memory(100'000), Memory(100'000)};
   const auto move = [&] { corners[2].x = static_cast<std::int16_t>(corners[2].x + 3'000); };
@@ -439,7 +440,7 @@ TEST(PlayerChangedTiles, AnotherPlayerDrawsConstantsThatChanged) {
 
 TEST_F(PlayerOfTeapot, OpensAndFitsAgain) {
   Blob other = blob_of("robot");
-  Screen smaller(60, 80, hal::PixelFormat::rgb565_swapped);
+  Screen smaller(60, 80, hal::DisplayFormat::rgb565_swapped);
   Memory larger(kMuch);
   Player again(larger.span(), drawn_with_any);
   for (Blob* each : {&blob, &other, &blob}) {

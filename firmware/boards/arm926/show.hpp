@@ -21,7 +21,7 @@ int run_on_lcd() {
   constexpr View kView = kLcdView<mode>;
   alignas(8) static std::array<std::byte, kView.height * bytes_per_row(kView.width, kView.format)> picture;
   start_lcd(mode, picture.data());
-  hal::Framebuffer lcd(picture, {kView.width, kView.height, hal::PixelFormat::rgb565});
+  hal::Framebuffer lcd(picture, {kView.width, kView.height, hal::DisplayFormat::rgb565});
   start_pacing();
   panic(lcd, show_scene<Player>(lcd));
   return 1;

@@ -17,7 +17,7 @@ class ChecksumPanel {
  public:
   constexpr std::uint16_t width() const { return panel_width; }
   constexpr std::uint16_t height() const { return panel_height; }
-  constexpr hal::PixelFormat format() const { return hal::PixelFormat::rgb565_swapped; }
+  constexpr hal::DisplayFormat format() const { return hal::DisplayFormat::rgb565_swapped; }
 
   hal::Error begin_frame() {
     crc_ = PictureCrc32(kRowBytes * panel_height);
@@ -45,7 +45,7 @@ class ChecksumPanel {
   std::uint32_t crc32() const { return crc_.value(); }
 
  private:
-  static constexpr std::uint32_t kRowBytes = bytes_per_row(panel_width, hal::PixelFormat::rgb565_swapped);
+  static constexpr std::uint32_t kRowBytes = bytes_per_row(panel_width, hal::DisplayFormat::rgb565_swapped);
   PictureCrc32 crc_{kRowBytes * panel_height};
 };
 

@@ -22,7 +22,7 @@ int run_on_bochs_display() {
     return 1;
   }
   hal::Framebuffer display({reinterpret_cast<std::byte*>(kBochsPixels), kBochsBytes},
-                           {view.width, view.height, static_cast<hal::PixelFormat>(view.format)});
+                           {view.width, view.height, static_cast<hal::DisplayFormat>(view.format)});
   start_pacing();
   panic(display, show_scene<Player>(display));
   for (;;) asm volatile("wfi");  // the emulator would end with main, and close the screen with the message

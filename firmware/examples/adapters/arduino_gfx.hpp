@@ -12,7 +12,7 @@ namespace adapters {
 class ArduinoGfx {
  public:
   using Error = zstrip::hal::Error;
-  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565_swapped;
+  static constexpr auto kFormat = zstrip::hal::DisplayFormat::rgb565_swapped;
 
   /// `gfx` must outlive it.
   explicit ArduinoGfx(Arduino_GFX& gfx) : gfx_(gfx) {}
@@ -25,7 +25,7 @@ class ArduinoGfx {
 
   std::uint16_t width() const { return static_cast<std::uint16_t>(gfx_.width()); }
   std::uint16_t height() const { return static_cast<std::uint16_t>(gfx_.height()); }
-  zstrip::hal::PixelFormat format() const { return kFormat; }
+  zstrip::hal::DisplayFormat format() const { return kFormat; }
 
   Error begin_frame() { return started_ ? Error::none : Error::bus; }
   Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {

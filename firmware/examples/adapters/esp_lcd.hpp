@@ -24,7 +24,7 @@ namespace adapters {
 class EspLcd {
  public:
   using Error = zstrip::hal::Error;
-  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565_swapped;
+  static constexpr auto kFormat = zstrip::hal::DisplayFormat::rgb565_swapped;
 
   EspLcd(esp_lcd_panel_io_handle_t io, esp_lcd_panel_handle_t panel, std::uint16_t width, std::uint16_t height)
       : io_(io), panel_(panel), width_(width), height_(height) {}
@@ -40,7 +40,7 @@ class EspLcd {
 
   std::uint16_t width() const { return width_; }
   std::uint16_t height() const { return height_; }
-  zstrip::hal::PixelFormat format() const { return kFormat; }
+  zstrip::hal::DisplayFormat format() const { return kFormat; }
 
   /// After a time-out the transfer continues, because it cannot be stopped: no new frame begins before it has ended.
   Error begin_frame() { return sent_ != nullptr ? wait() : Error::bus; }

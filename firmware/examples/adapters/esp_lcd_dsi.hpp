@@ -14,7 +14,7 @@ namespace adapters {
 
 class EspLcdDsi : public EspLcd {
  public:
-  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565;
+  static constexpr auto kFormat = zstrip::hal::DisplayFormat::rgb565;
 
   EspLcdDsi(esp_lcd_panel_handle_t panel, std::uint16_t width, std::uint16_t height)
       : EspLcd(nullptr, panel, width, height) {}
@@ -26,7 +26,7 @@ class EspLcdDsi : public EspLcd {
     prepare();
     return registered(esp_lcd_dpi_panel_register_event_callbacks(panel(), &callbacks, this));
   }
-  zstrip::hal::PixelFormat format() const { return kFormat; }
+  zstrip::hal::DisplayFormat format() const { return kFormat; }
 
  private:
   static bool has_copied(esp_lcd_panel_handle_t, esp_lcd_dpi_panel_event_data_t*, void* self) {

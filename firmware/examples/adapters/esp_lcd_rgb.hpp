@@ -18,7 +18,7 @@ namespace adapters {
 
 class EspLcdRgbFramebuffer : public EspLcd {
  public:
-  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565;
+  static constexpr auto kFormat = zstrip::hal::DisplayFormat::rgb565;
 
   EspLcdRgbFramebuffer(esp_lcd_panel_handle_t panel, std::uint16_t width, std::uint16_t height)
       : EspLcd(nullptr, panel, width, height) {}
@@ -28,7 +28,7 @@ class EspLcdRgbFramebuffer : public EspLcd {
     prepare();
     return registered(ESP_OK);
   }
-  zstrip::hal::PixelFormat format() const { return kFormat; }
+  zstrip::hal::DisplayFormat format() const { return kFormat; }
   /// The processor copies the strip before this returns.
   Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {
     const Error error = EspLcd::write(area, pixels);

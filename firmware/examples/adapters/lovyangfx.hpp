@@ -16,7 +16,7 @@ namespace adapters {
 class LovyanGfx {
  public:
   using Error = zstrip::hal::Error;
-  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565_swapped;
+  static constexpr auto kFormat = zstrip::hal::DisplayFormat::rgb565_swapped;
 
   /// `device` must outlive it.
   explicit LovyanGfx(lgfx::LGFX_Device& device) : device_(device) {}
@@ -30,7 +30,7 @@ class LovyanGfx {
 
   std::uint16_t width() const { return static_cast<std::uint16_t>(device_.width()); }
   std::uint16_t height() const { return static_cast<std::uint16_t>(device_.height()); }
-  zstrip::hal::PixelFormat format() const { return kFormat; }
+  zstrip::hal::DisplayFormat format() const { return kFormat; }
 
   Error begin_frame() {
     if (!started_) return Error::bus;

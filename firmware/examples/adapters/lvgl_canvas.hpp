@@ -18,7 +18,7 @@ namespace adapters {
 class LvglCanvas {
  public:
   using Error = zstrip::hal::Error;
-  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565;
+  static constexpr auto kFormat = zstrip::hal::DisplayFormat::rgb565;
 
   /// Must end before the canvas is deleted.
   explicit LvglCanvas(lv_obj_t* canvas) : canvas_(canvas) {}
@@ -26,7 +26,7 @@ class LvglCanvas {
   /// 0 while the canvas has no buffer.
   std::uint16_t width() const { return buffer() != nullptr ? static_cast<std::uint16_t>(buffer()->header.w) : 0; }
   std::uint16_t height() const { return buffer() != nullptr ? static_cast<std::uint16_t>(buffer()->header.h) : 0; }
-  zstrip::hal::PixelFormat format() const { return kFormat; }
+  zstrip::hal::DisplayFormat format() const { return kFormat; }
 
   /// Error::framebuffer: the canvas has no buffer, or one of another format.
   Error begin_frame() {

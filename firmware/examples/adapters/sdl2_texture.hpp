@@ -16,7 +16,7 @@ class Sdl2Texture {
  public:
   using Error = zstrip::hal::Error;
   static constexpr auto kFormat =
-      SDL_BYTEORDER == SDL_LIL_ENDIAN ? zstrip::hal::PixelFormat::rgb565 : zstrip::hal::PixelFormat::rgb565_swapped;
+      SDL_BYTEORDER == SDL_LIL_ENDIAN ? zstrip::hal::DisplayFormat::rgb565 : zstrip::hal::DisplayFormat::rgb565_swapped;
 
   /// `renderer` must outlive it.
   Sdl2Texture(SDL_Renderer* renderer, std::uint16_t width, std::uint16_t height)
@@ -35,7 +35,7 @@ class Sdl2Texture {
 
   std::uint16_t width() const { return width_; }
   std::uint16_t height() const { return height_; }
-  zstrip::hal::PixelFormat format() const { return kFormat; }
+  zstrip::hal::DisplayFormat format() const { return kFormat; }
 
   Error begin_frame() { return texture_ != nullptr ? Error::none : Error::configuration; }
   Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {

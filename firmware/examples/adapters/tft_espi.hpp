@@ -12,7 +12,7 @@ namespace adapters {
 class TftEspi {
  public:
   using Error = zstrip::hal::Error;
-  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565_swapped;
+  static constexpr auto kFormat = zstrip::hal::DisplayFormat::rgb565_swapped;
 
   /// `tft` must outlive it.
   explicit TftEspi(TFT_eSPI& tft) : tft_(tft) {}
@@ -26,7 +26,7 @@ class TftEspi {
 
   std::uint16_t width() const { return static_cast<std::uint16_t>(tft_.width()); }
   std::uint16_t height() const { return static_cast<std::uint16_t>(tft_.height()); }
-  zstrip::hal::PixelFormat format() const { return kFormat; }
+  zstrip::hal::DisplayFormat format() const { return kFormat; }
 
   Error begin_frame() {
     if (!started_) return Error::bus;

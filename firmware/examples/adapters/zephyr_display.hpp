@@ -24,7 +24,7 @@ class ZephyrDisplay {
 
   explicit ZephyrDisplay(const struct device* display) : display_(display) {}
   /// `format`: rgb565 or rgb565_swapped, whichever of the two formats with 16 bits the driver reports.
-  ZephyrDisplay(const struct device* display, zstrip::hal::PixelFormat format)
+  ZephyrDisplay(const struct device* display, zstrip::hal::DisplayFormat format)
       : display_(display), low_(format), high_(format) {}
 
   /// Call it once, before the first frame. Error::bus: the device is not ready. Error::configuration: it has other
@@ -39,7 +39,7 @@ class ZephyrDisplay {
   /// 0 before start().
   std::uint16_t width() const { return capabilities_.x_resolution; }
   std::uint16_t height() const { return capabilities_.y_resolution; }
-  zstrip::hal::PixelFormat format() const { return is(kLowFirst) ? low_ : high_; }
+  zstrip::hal::DisplayFormat format() const { return is(kLowFirst) ? low_ : high_; }
 
   Error begin_frame() { return started_ ? Error::none : Error::configuration; }
   Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {
@@ -71,7 +71,8 @@ class ZephyrDisplay {
   bool is(display_pixel_format format) const { return capabilities_.current_pixel_format == format; }
 
   const struct device* display_;
-  zstrip::hal::PixelFormat low_ = zstrip::hal::PixelFormat::rgb565, high_ = zstrip::hal::PixelFormat::rgb565_swapped;
+  zstrip::hal::DisplayFormat low_ = zstrip::hal::DisplayFormat::rgb565,
+                             high_ = zstrip::hal::DisplayFormat::rgb565_swapped;
   display_capabilities capabilities_{};
   bool started_ = false;
 };

@@ -18,13 +18,13 @@ constexpr std::size_t kAlignment = kArenaAlignment;
 static_assert(kSceneBlobMemoryAlignment <= kAlignment && alignof(Instance) <= kAlignment &&
               alignof(Font) <= kAlignment);
 
-static_assert(static_cast<int>(hal::PixelFormat::rgb565) == static_cast<int>(PixelFormat::rgb565) &&
-              static_cast<int>(hal::PixelFormat::rgb565_swapped) == static_cast<int>(PixelFormat::rgb565_swapped) &&
-              static_cast<int>(hal::PixelFormat::gray4) == static_cast<int>(PixelFormat::gray4) &&
-              static_cast<int>(hal::PixelFormat::mono) == static_cast<int>(PixelFormat::mono) &&
-              static_cast<int>(hal::PixelFormat::rgb666) == static_cast<int>(PixelFormat::rgb666) &&
-              static_cast<int>(hal::PixelFormat::rgb444) == static_cast<int>(PixelFormat::rgb444) &&
-              static_cast<int>(hal::PixelFormat::xrgb8888) == static_cast<int>(PixelFormat::xrgb8888));
+static_assert(static_cast<int>(hal::DisplayFormat::rgb565) == static_cast<int>(PixelFormat::rgb565) &&
+              static_cast<int>(hal::DisplayFormat::rgb565_swapped) == static_cast<int>(PixelFormat::rgb565_swapped) &&
+              static_cast<int>(hal::DisplayFormat::gray4) == static_cast<int>(PixelFormat::gray4) &&
+              static_cast<int>(hal::DisplayFormat::mono) == static_cast<int>(PixelFormat::mono) &&
+              static_cast<int>(hal::DisplayFormat::rgb666) == static_cast<int>(PixelFormat::rgb666) &&
+              static_cast<int>(hal::DisplayFormat::rgb444) == static_cast<int>(PixelFormat::rgb444) &&
+              static_cast<int>(hal::DisplayFormat::xrgb8888) == static_cast<int>(PixelFormat::xrgb8888));
 
 constexpr std::uint64_t in_whole_words(std::uint64_t bytes) {
   return (bytes + kAlignment - 1) / kAlignment * kAlignment;

@@ -61,7 +61,7 @@ class DrmDisplay {
   /// See the concept Display.
   std::uint16_t width() const { return size_.width; }
   std::uint16_t height() const { return size_.height; }
-  PixelFormat format() const { return PixelFormat::rgb565; }
+  DisplayFormat format() const { return DisplayFormat::rgb565; }
   /// Returns the pixel format of the card's buffers.
   DrmFormat card_format() const { return card_format_; }
 

@@ -66,7 +66,7 @@ class FramebufferDisplay {
   /// See the concept Display.
   std::uint16_t width() const { return memory_.width; }
   std::uint16_t height() const { return memory_.height; }
-  PixelFormat format() const { return PixelFormat::rgb565; }
+  DisplayFormat format() const { return DisplayFormat::rgb565; }
   const PixelLayout& layout() const { return layout_; }  ///< of the driver
 
   Error begin_frame() { return Error::none; }

@@ -22,7 +22,7 @@ class MirroredDisplays {
   /// See the concept Display.
   std::uint16_t width() const { return displays_.front().width(); }
   std::uint16_t height() const { return displays_.front().height(); }
-  PixelFormat format() const { return displays_.front().format(); }
+  DisplayFormat format() const { return displays_.front().format(); }
 
   Error begin_frame() {
     return on_all([](Shown& display) { return display.begin_frame(); });

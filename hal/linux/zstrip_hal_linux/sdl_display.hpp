@@ -31,7 +31,7 @@ class SdlDisplay {
   /// See the concept Display.
   std::uint16_t width() const { return size_.width; }
   std::uint16_t height() const { return size_.height; }
-  PixelFormat format() const { return PixelFormat::rgb565; }
+  DisplayFormat format() const { return DisplayFormat::rgb565; }
 
   Error begin_frame() { return Error::none; }
   Error write(const Area& area, std::span<const std::byte> pixels);

@@ -44,7 +44,7 @@ class PixelWriter {
   /// Returns none if the layout has fields that overlap, are empty or do not fit into the pixel.
   static std::optional<PixelWriter> create(const PixelLayout& layout);
 
-  /// Writes the first 2 * area.width * area.height bytes of `pixels` (PixelFormat::rgb565) to `area` of `memory`.
+  /// Writes the first 2 * area.width * area.height bytes of `pixels` (DisplayFormat::rgb565) to `area` of `memory`.
   /// Errors: area, pixels_too_small; also where `memory` is smaller than its sizes need.
   Error write(const VideoMemory& memory, const Area& area, std::span<const std::byte> pixels) const;
 

@@ -12,7 +12,7 @@ int main() {
   static std::byte memory[64 * 1024];
   zstrip::Player player(memory, zstrip::drawn_with<baked::kEffects>);
   std::vector<std::byte> pixels(2U * baked::kView.width * baked::kView.height);
-  hal::Framebuffer display(pixels, {baked::kView.width, baked::kView.height, hal::PixelFormat::rgb565});
+  hal::Framebuffer display(pixels, {baked::kView.width, baked::kView.height, hal::DisplayFormat::rgb565});
   if (!player.open({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, baked::kView) ||
       !player.fit(display) || !player.draw(display)) {
     std::fprintf(stderr, "%s\n", player.error());
