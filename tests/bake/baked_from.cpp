@@ -3,6 +3,6 @@
 
 namespace zstrip::sim::test {
 
-constexpr BakedFrom baked_from{BAKED_SCENE, BAKED_OPTIONS};
+constexpr BakedFrom baked_from{BAKED_SCENE, BAKED_OPTIONS, BAKED_REPORT};
 
 }  // namespace zstrip::sim::test

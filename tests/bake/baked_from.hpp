@@ -6,6 +6,7 @@ namespace zstrip::sim::test {
 struct BakedFrom {
   const char* scene;    ///< a file or a built-in scene
   const char* options;  ///< of `zstrip bake`, separated by spaces
+  const char* report;   ///< the file of its option --json
 };
 extern const BakedFrom baked_from;
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,8 +23,8 @@ struct PlanReport {
   std::uint16_t strips;
   std::string mode;
 };
-/// What `zstrip bake` says with these options; none where it fails.
-std::optional<PlanReport> baked_plan(const std::string& scene, const std::string& options, const std::string& folder);
+/// Of the file that `zstrip bake --json` wrote.
+PlanReport baked_plan(const std::string& report);
 
 /// As the command prints it.
 std::string crc32_of(std::span<const std::byte> bytes);

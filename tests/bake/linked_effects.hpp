@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdint>
-#include <regex>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support.hpp"
@@ -22,24 +25,45 @@ struct LinkedEffects {
   bool clips = false;
 };
 
+/// The number at the beginning of `text`, which then begins behind it; none if there is no digit.
+template <class Number>
+std::optional<Number> take_number(std::string_view& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) return {};
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+/// The names have megabytes, in which regular expressions would take seconds.
 inline LinkedEffects linked_effects(const std::string& program) {
   const Outcome outcome = run(ZSTRIP_NM, {"--demangle", program}, "/");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  const auto for_each = [&outcome](const char* pattern, const auto& take) {
-    const std::regex regex(pattern);
-    for (std::sregex_iterator found(outcome.out.begin(), outcome.out.end(), regex), end; found != end; ++found) {
-      take(*found);
-    }
+  const std::string_view names = outcome.out;
+  const auto for_each = [names](std::string_view before, const auto& take) {
+    for (std::size_t at = names.find(before); at != names.npos; at = names.find(before, at + 1))
+      take(at, names.substr(at + before.size()));
   };
   LinkedEffects linked;
-  for_each(R"(zstrip::Effects\{([0-9]+)u?l*(?:, ([0-9]+)u)?\})", [&linked](const std::smatch& match) {
-    linked.pipelines.push_back(
-        {std::stoull(match[1]), match[2].matched ? static_cast<std::uint32_t>(std::stoul(match[2])) : 0});
+  // zstrip::Effects{1ul} or zstrip::Effects{1ul, 2u}; the suffixes are those of the machine.
+  for_each("zstrip::Effects{", [&linked](std::size_t, std::string_view text) {
+    const std::optional bits = take_number<std::uint64_t>(text);
+    if (!bits) return;
+    text.remove_prefix(std::min(text.find_first_not_of("ul"), text.size()));
+    std::uint32_t more = 0;
+    if (text.starts_with(", ")) {
+      text.remove_prefix(2);
+      more = take_number<std::uint32_t>(text).value_or(0);
+    }
+    linked.pipelines.push_back({*bits, more});
   });
-  for_each(R"((?:spans|triangle|polygon|clipped|triangles|narrow)<\(zstrip::detail::Shade\)([0-9]))",
-           [&linked](const std::smatch& match) { linked.shades.insert(std::stoi(match[1])); });
-  linked.clips = outcome.out.find("zstrip::detail::TriangleClipper<") != std::string::npos;
-  linked.bins = outcome.out.find("zstrip::detail::Bins::append") != std::string::npos;
+  for_each("<(zstrip::detail::Shade)", [&linked, names](std::size_t at, std::string_view text) {
+    for (const char* drawn : {"spans", "triangle", "polygon", "clipped", "triangles", "narrow"}) {
+      if (names.substr(0, at).ends_with(drawn)) linked.shades.insert(text.front() - '0');
+    }
+  });
+  linked.clips = names.find("zstrip::detail::TriangleClipper<") != names.npos;
+  linked.bins = names.find("zstrip::detail::Bins::append") != names.npos;
   return linked;
 }
 
