@@ -8,9 +8,6 @@ set(ZSTRIP_CONTACT "the zstrip authors <zstrip@example.org>" CACHE STRING "Who a
 set(CPACK_PACKAGE_CONTACT "${ZSTRIP_CONTACT}")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_STRIP_FILES ON)
-# Shared with other packages: Debian asks for these rights, whatever the umask is.
-set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
-  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
 # zstrip_debian_compressed(SOURCE NAME DESTINATION COMPONENT): installs SOURCE as NAME.gz, with the same bytes each time.
 find_program(ZSTRIP_GZIP gzip)

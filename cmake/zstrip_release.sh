@@ -14,6 +14,7 @@
 # how many compilers at a time, 2 by default. URL is written into the files that name an address.
 # Exit status 1 if a part cannot be made or does not work; 2 for wrong words.
 set -euo pipefail
+umask 022  # of folders in packages for Debian, too: CPack gives them the rights that the umask leaves
 parts=(packages debian npm rust micropython pico playground site)
 say() { printf 'release: %s\n' "$*" >&2; }
 usage() {
