@@ -1,5 +1,5 @@
 // Light that is baked into colours and texels: rays are traced to find how much of it arrives at a point.
-import {cross, dot, minus, random, times, unit} from './shapes.mjs';
+import {add, cross, dot, minus, random, times, unit} from './shapes.mjs';
 
 const toLinear = (c) => (c <= 10.31 ? c / 3294.6 : ((c / 255 + 0.055) / 1.055) ** 2.4);
 const toScreen = (c) => 255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
@@ -41,20 +41,22 @@ export function tracer(faces) {
     flat.set([...p, ...minus(q, p), ...minus(r, p)], i * size);
   });
   return ([x, y, z], [a, b, c], reach) => {
-    const ia = 1 / a, ib = 1 / b, ic = 1 / c;
+    const ia = 1 / a, ib = 1 / b, ic = 1 / c, fromX = a < 0 ? 3 : 0, fromY = b < 0 ? 4 : 1, fromZ = c < 0 ? 5 : 2;
     for (let node = 0; node < nodes.length;) {
-      const ax = (nodes[node] - x) * ia, bx = (nodes[node + 3] - x) * ia;
-      const ay = (nodes[node + 1] - y) * ib, by = (nodes[node + 4] - y) * ib;
-      const az = (nodes[node + 2] - z) * ic, bz = (nodes[node + 5] - z) * ic;
-      const near = Math.max(Math.min(ax, bx), Math.min(ay, by), Math.min(az, bz), 0);
-      const far = Math.min(Math.max(ax, bx), Math.max(ay, by), Math.max(az, bz), reach);
-      if (near > far) {
+      // Which bounds are nearer depends on the ray alone.
+      const nx = (nodes[node + fromX] - x) * ia, ny = (nodes[node + fromY] - y) * ib,
+            nz = (nodes[node + fromZ] - z) * ic;
+      const fx = (nodes[node + 3 - fromX] - x) * ia, fy = (nodes[node + 5 - fromY] - y) * ib,
+            fz = (nodes[node + 7 - fromZ] - z) * ic;
+      if (nx > fy || nx > fz || ny > fx || ny > fz || nz > fx || nz > fy || fx < 0 || fy < 0 || fz < 0 || nx > reach ||
+          ny > reach || nz > reach) {
         node = nodes[node + 8];
         continue;
       }
       const end = (nodes[node + 6] + nodes[node + 7]) * size;
       for (let i = nodes[node + 6] * size; i < end; i += size) {
-        const ex = flat[i + 3], ey = flat[i + 4], ez = flat[i + 5], fx = flat[i + 6], fy = flat[i + 7], fz = flat[i + 8];
+        const ex = flat[i + 3], ey = flat[i + 4], ez = flat[i + 5], fx = flat[i + 6], fy = flat[i + 7],
+              fz = flat[i + 8];
         const hx = b * fz - c * fy, hy = c * fx - a * fz, hz = a * fy - b * fx, det = ex * hx + ey * hy + ez * hz;
         if (Math.abs(det) < 1e-12) continue;
         const sx = x - flat[i], sy = y - flat[i + 1], sz = z - flat[i + 2], u = (sx * hx + sy * hy + sz * hz) / det;
@@ -83,14 +85,18 @@ export function lit({blocked, ambient, reach = 1, lamps = [], beams = [], rays =
     for (let ray = 0; ray < rays; ++ray) {
       const r = Math.sqrt((ray + 0.5) / rays), turn = 2.39996 * ray + 6.28 * random(seed);
       const [n, s, o] = [Math.sqrt(1 - r * r), r * Math.cos(turn), r * Math.sin(turn)];
-      if (!blocked(from, normal.map((v, i) => v * n + side[i] * s + other[i] * o), reach)) ++open;
+      const along = [
+        normal[0] * n + side[0] * s + other[0] * o, normal[1] * n + side[1] * s + other[1] * o,
+        normal[2] * n + side[2] * s + other[2] * o
+      ];
+      if (!blocked(from, along, reach)) ++open;
     }
     const light = times(ambient, open / rays);
     for (const lamp of lamps) {
       const samples = Math.max(1, Math.round(rays / 2));
       for (let i = 0; i < samples; ++i) {
         const h = 1 - 2 * (i + 0.5) / samples, turn = 2.39996 * i + 6.28 * random(seed + 7), w = Math.sqrt(1 - h * h);
-        const to = minus(lamp.at.map((v, k) => v + lamp.radius * [w * Math.cos(turn), h, w * Math.sin(turn)][k]), from);
+        const to = minus(add(lamp.at, times([w * Math.cos(turn), h, w * Math.sin(turn)], lamp.radius)), from);
         const distance = Math.hypot(...to), along = times(to, 1 / distance), facing = dot(along, normal);
         if (facing <= 0 || blocked(from, along, distance - 2 * lamp.radius)) continue;
         lamp.light.forEach((v, k) => (light[k] += v * facing / distance ** 2 / samples));

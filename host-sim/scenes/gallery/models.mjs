@@ -36,30 +36,36 @@ export const joined = (a, b) => ({
   covered: [...a.covered ?? [], ...b.covered ?? []],
 });
 
-function hit(from, along, triangle, reach) {
-  const [p, q, r] = triangle, e = minus(q, p), f = minus(r, p), h = cross(along, f), det = dot(e, h);
+// A triangle as hit() takes it: a corner, and from it to both others.
+const edged = ([p, q, r]) => [p, minus(q, p), minus(r, p)];
+
+function hit([x, y, z], [a, b, c], [[px, py, pz], [ex, ey, ez], [fx, fy, fz]], reach) {
+  const hx = b * fz - c * fy, hy = c * fx - a * fz, hz = a * fy - b * fx, det = ex * hx + ey * hy + ez * hz;
   if (Math.abs(det) < 1e-12) return false;
-  const s = minus(from, p), u = dot(s, h) / det;
+  const sx = x - px, sy = y - py, sz = z - pz, u = (sx * hx + sy * hy + sz * hz) / det;
   if (u < 0 || u > 1) return false;
-  const k = cross(s, e), v = dot(along, k) / det;
+  const kx = sy * ez - sz * ey, ky = sz * ex - sx * ez, kz = sx * ey - sy * ex, v = (a * kx + b * ky + c * kz) / det;
   if (v < 0 || u + v > 1) return false;
-  const t = dot(f, k) / det;
+  const t = (fx * kx + fy * ky + fz * kz) / det;
   return t > 1e-3 * reach && t < reach;
 }
 
 // Darkens vertices by the share of the sky that faces of `others` and of the mesh itself hide, within `reach`. The
 // deepest corner keeps the share `dark` of its colour.
 export function occluded(mesh, {others = [], reach = 1, rays = 48, dark = [0.3, 0.3, 0.4]} = {}) {
+  // Each with its corners, and how far from them it may hide something.
   const blockers = [
     ...mesh.triangles.map((t) => t.map((i) => mesh.vertices[i].position)),
     ...[...mesh.covered, ...others].map((f) => f.points)
-  ];
+  ].map((b) => ({corners: b.map((p, i) => [...p, reach + Math.hypot(...minus(p, b[(i + 1) % 3]))]), edges: edged(b)}));
   const shares = new Map();
   const share = ({position, normal}) => {
     const at = key([...position, ...normal]);
     if (shares.has(at)) return shares.get(at);
-    const near = blockers.filter(
-        (b) => b.some((p, i) => Math.hypot(...minus(p, position)) < reach + Math.hypot(...minus(p, b[(i + 1) % 3]))));
+    const [px, py, pz] = position, near = [];
+    for (const {corners, edges} of blockers) {
+      if (corners.some(([x, y, z, far]) => Math.hypot(x - px, y - py, z - pz) < far)) near.push(edges);
+    }
     const from = add(position, times(normal, 0.004 * reach));
     const side = unit(cross(normal, Math.abs(normal[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0])), other = cross(side, normal);
     let open = 0;

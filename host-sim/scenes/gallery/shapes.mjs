@@ -1,10 +1,10 @@
 // Shapes of coloured triangles, for the models of the gallery. +y is up; colours are "#rrggbb" or [red, green, blue], 0
 // to 255. A shape is a list of faces: {points, colours, texcoords}, three of each, counter-clockwise from outside.
 
-export const add = (a, b) => a.map((v, i) => v + b[i]);
-export const minus = (a, b) => a.map((v, i) => v - b[i]);
-export const times = (a, s) => a.map((v) => v * s);
-export const dot = (a, b) => a.reduce((sum, v, i) => sum + v * b[i], 0);
+export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+export const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const times = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 export const unit = (a) => times(a, 1 / (Math.hypot(...a) || 1));
 export const rgb = (colour) =>
