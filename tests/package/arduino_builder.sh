@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # arduino_builder.sh ROOT SCRATCH [ZSTRIP]: arduino-builder takes the package in and builds sketches of it, and that of
 # `zstrip bake`, for a board package of the tests' own, for Cortex-M0+: the first one and the baked one; with ZSTRIP_LONG all
-# that need no library of displays. Without it they are built without optimisation. With C++17 one error says what to do.
+# that need no library of displays. Without it they are built without optimisation, and the core's sources as one. With
+# C++17 one error says what to do.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 here=$root/tests/package
@@ -34,7 +35,13 @@ build() {
 }
 
 optimisation=-O0
-if [ -n "${ZSTRIP_LONG-}" ]; then optimisation=-Os; fi
+mkdir "$scratch/kept"
+if [ -n "${ZSTRIP_LONG-}" ]; then
+  optimisation=-Os
+else
+  touch "$scratch/kept/none.cpp"
+  find "$scratch/libraries/zstrip/src/zstrip" -name '*.cpp' -printf '#include "%p"\n' | sort >"$scratch/kept/core.cpp"
+fi
 failed=0
 first=HelloPyramid
 read -r -d '' -a others < <(cd "$scratch/libraries/zstrip/examples" && grep -L 'adapters::' */*.ino | sed "s|/.*||; /^$first$/d") || true
