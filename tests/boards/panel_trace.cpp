@@ -1,22 +1,24 @@
 // Parses traced writes and follows the levels of the lines.
 #include "panel_trace.hpp"
 
+#include <charconv>
 #include <chrono>
 #include <cstddef>
-#include <exception>
 #include <string_view>
+#include <system_error>
 
 namespace zstrip::boards {
 namespace {
 
-std::optional<std::uint64_t> number_after(const std::string& line, std::string_view word) {
+/// Hexadecimal, with "0x" before it.
+std::optional<std::uint64_t> number_after(std::string_view line, std::string_view word) {
   const std::size_t at = line.find(word);
-  if (at == std::string::npos) return std::nullopt;
-  try {
-    return std::stoull(line.substr(at + word.size()), nullptr, 16);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
+  if (at == std::string_view::npos) return std::nullopt;
+  line.remove_prefix(at + word.size());
+  if (line.starts_with("0x")) line.remove_prefix(2);
+  std::uint64_t value = 0;
+  const std::from_chars_result read = std::from_chars(line.data(), line.data() + line.size(), value, 16);
+  return read.ec == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
 /// Where both are asked for, set wins (RM0090, 8.4.7).
