@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <initializer_list>
 #include <optional>
 #include <regex>
 #include <stdexcept>
@@ -91,12 +92,11 @@ std::uint32_t lowers_by(const ThumbFunction& function, std::size_t at, const Elf
   if (mnemonic.starts_with("msr") && !operands.starts_with("MSPLIM,")) {
     fail(function, function.instructions[at], "the stack pointer may change in an unknown way");
   }
-  static const std::regex written("^sp(,|$)"), stored_before("\\[sp, #-[0-9]+\\]!");
-  if (std::regex_search(operands, stored_before)) {
+  if (operands.find("[sp, #-") != std::string::npos && operands.find("]!") != std::string::npos) {
     const std::size_t mark = operands.find("#-");
     return number<std::uint32_t>(std::string_view(operands).substr(mark + 2), 10).value_or(0);
   }
-  if (!std::regex_search(operands, written)) return 0;
+  if (operands != "sp" && !operands.starts_with("sp,")) return 0;
   if (mnemonic.starts_with("cmp") || mnemonic.starts_with("st") || mnemonic.starts_with("ldm")) return 0;
   if (mnemonic.starts_with("sub")) {
     const auto bytes = immediate(operands);
@@ -111,9 +111,13 @@ std::uint32_t lowers_by(const ThumbFunction& function, std::size_t at, const Elf
   fail(function, function.instructions[at], "the stack pointer changes in an unknown way");
 }
 
-bool is_branch(const std::string& mnemonic) {
-  static const std::regex branch("b(l|lx)?(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)?|cbn?z");
-  return std::regex_match(mnemonic, branch);
+bool is_branch(std::string_view mnemonic) {
+  if (mnemonic == "cbz" || mnemonic == "cbnz") return true;
+  constexpr std::string_view kConditions[] = {"",   "eq", "ne", "cs", "cc", "mi", "pl", "vs",
+                                              "vc", "hi", "ls", "ge", "lt", "gt", "le"};
+  return std::ranges::any_of(std::initializer_list<std::string_view>{"b", "bl", "blx"}, [&](std::string_view branch) {
+    return mnemonic.starts_with(branch) && std::ranges::count(kConditions, mnemonic.substr(branch.size())) != 0;
+  });
 }
 
 /// Not blt, ble and bls, which are conditions of b.
@@ -157,26 +161,44 @@ bool falls_through(const ThumbFunction& function) {
   return false;
 }
 
+/// "00000100 <name>:"
+std::optional<ThumbFunction> parse_header(std::string_view line) {
+  constexpr std::size_t kDigits = 8;
+  if (line.size() < kDigits + 4 || line.substr(kDigits, 2) != " <" || !line.ends_with(">:")) return std::nullopt;
+  const auto address = number<std::uint32_t>(line.substr(0, kDigits), 16);
+  if (!address) return std::nullopt;
+  return ThumbFunction{std::string(line.substr(kDigits + 2, line.size() - kDigits - 4)), *address};
+}
+
+/// "     100:<tab>push<tab>{r4, lr}"; objdump appends comments to operands, widths to mnemonics.
+std::optional<Instruction> parse_instruction(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(' '), colon = line.find(":\t");
+  if (first == std::string_view::npos || colon == std::string_view::npos) return std::nullopt;
+  const auto address = number<std::uint32_t>(line.substr(first, colon - first), 16);
+  if (!address || line.find_first_not_of("0123456789abcdef", first) != colon) return std::nullopt;
+  const std::string_view rest = line.substr(colon + 2);
+  const std::size_t tab = std::min(rest.find('\t'), rest.size());
+  std::string_view mnemonic = rest.substr(0, tab), operands = rest.substr(std::min(tab + 1, rest.size()));
+  if (mnemonic.empty()) return std::nullopt;
+  mnemonic = mnemonic.substr(0, mnemonic.find_first_of(". "));
+  operands = operands.substr(0, operands.find('\t'));
+  operands = operands.substr(0, operands.find(" @"));
+  operands = operands.substr(0, operands.find_last_not_of(' ') + 1);
+  return Instruction{*address, std::string(mnemonic), std::string(operands)};
+}
+
 }  // namespace
 
 std::vector<ThumbFunction> parse_disassembly(std::string_view text) {
   std::vector<ThumbFunction> functions;
-  static const std::regex header("^([0-9a-f]{8}) <(.*)>:$");
-  static const std::regex instruction("^ *([0-9a-f]+):\t([^\t]+)\t?([^\t]*).*$");
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line(text.substr(begin, end - begin));
+    const std::string_view line = text.substr(begin, end - begin);
     begin = end + 1;
-    std::smatch match;
-    if (std::regex_match(line, match, header)) {
-      functions.push_back({match[2], number<std::uint32_t>(match[1].str(), 16).value_or(0)});
-    } else if (!functions.empty() && std::regex_match(line, match, instruction)) {
-      std::string mnemonic = match[2], operands = match[3];
-      mnemonic = mnemonic.substr(0, mnemonic.find_first_of(". "));
-      operands = operands.substr(0, operands.find(" @"));
-      while (operands.ends_with(' ')) operands.pop_back();
-      functions.back().instructions.push_back(
-          {number<std::uint32_t>(match[1].str(), 16).value_or(0), std::move(mnemonic), std::move(operands)});
+    if (const auto header = parse_header(line)) {
+      functions.push_back(*header);
+    } else if (const auto instruction = parse_instruction(line); instruction && !functions.empty()) {
+      functions.back().instructions.push_back(*instruction);
     }
   }
   return functions;

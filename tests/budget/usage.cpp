@@ -45,6 +45,7 @@ CompilerFrames compiler_frames(const std::filesystem::path& program) {
 std::uint32_t variable_bytes(const ElfFile& elf, const std::string& name) {
   std::uint32_t bytes = 0;
   for (const Symbol& symbol : elf.symbols) {
+    if (symbol.name.find(name) == std::string::npos) continue;
     const std::string full = demangled(symbol.name);
     if (!symbol.is_function && (full == name || full.ends_with("::" + name))) bytes += symbol.size;
   }
