@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # each_file.sh ROOT BUILD: sources that BUILD compiles joined compile by themselves, too, as the README's plain build does
-# it. A joined source's first one does in any case; the others are compiled with ZSTRIP_LONG, else those of
-# host-sim/{report,text}, which parse the fewest headers of libraries.
+# it. A joined source's first one does in any case; the others are compiled with ZSTRIP_LONG, else those of host-sim/text,
+# which parse the fewest headers of libraries.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 build=$(cd "$2" && pwd -P)
@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-folders=("$root"/host-sim/{report,text})
+folders=("$root/host-sim/text")
 if [ -n "${ZSTRIP_LONG-}" ]; then folders=("$root"/{host-sim,tests}); fi
 source_commands "$build" "${folders[@]}" | awk -F '\t' '$3 != ""' >"$work/chosen"
 compile() {
