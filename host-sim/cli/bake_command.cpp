@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -144,22 +143,6 @@ std::unique_ptr<ShownEdges> choose_edges(BakeKind kind, const BakeArguments& arg
   for (const ModelMorph& morph : skins.morphs) bent.push_back(morph.mesh);
   for (const DetailLevel& level : at_rest.levels) bent.insert(bent.end(), {level.mesh, level.coarser});
   return std::make_unique<ShownEdges>(scenes::AtRest{at_rest.scene, at_rest.camera, animation, turn}, view, bent);
-}
-
-/// Returns the meshes that move in the light, or whose tables a level of detail shares.
-std::set<std::size_t> meshes_in_motion(const Staging& at_rest, const Animation& animation, const Turn& turn,
-                                       const OutputSkins& output) {
-  std::set<std::size_t> meshes;
-  for (const ModelSkin& skin : output.skins.meshes) meshes.insert(skin.mesh);
-  for (const ModelMorph& morph : output.skins.morphs) meshes.insert(morph.mesh);
-  for (const DetailLevel& level : at_rest.levels) meshes.insert({level.mesh, level.coarser});
-  const auto add = [&](const Track& track) { meshes.insert(at_rest.scene.instances[track.instance].mesh); };
-  std::ranges::for_each(animation.tracks, add);
-  for (const ModelClip& clip : output.clips) std::ranges::for_each(clip.instances.view().tracks, add);
-  // If only some instances turn, they turn in the light; otherwise the camera goes around them all.
-  if (turn.still_instances == 0) return meshes;
-  for (const Instance& instance : at_rest.scene.instances.subspan(turn.still_instances)) meshes.insert(instance.mesh);
-  return meshes;
 }
 
 BakeRecord describe(const BakeArguments& arguments, const Stage& stage, const BakedScene& baked) {

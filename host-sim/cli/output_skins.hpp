@@ -1,6 +1,8 @@
 // The skins, morph targets and clips that `zstrip bake` writes.
 #pragma once
 
+#include <cstddef>
+#include <set>
 #include <vector>
 
 #include "bake/baked_scene.hpp"
@@ -24,5 +26,9 @@ std::vector<ClipEvent> events_of(const std::vector<ModelClip>& clips, const Stag
 /// Returns what moves in the output; `scene`: the stage's at rest. With `warn` says what stands still and why.
 Result<OutputSkins> skins_of(BakeKind kind, const BakeArguments& arguments, Effects method, const Stage& stage,
                              const Scene& scene, bool warn);
+
+/// Returns the meshes that move in the light, or whose tables a level of detail shares.
+std::set<std::size_t> meshes_in_motion(const Staging& at_rest, const Animation& animation, const Turn& turn,
+                                       const OutputSkins& output);
 
 }  // namespace zstrip::sim
