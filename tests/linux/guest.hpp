@@ -51,7 +51,10 @@ class Guest {
   boards::Qemu emulator_;
 };
 
-/// A frame of the guests' scene as the host's command draws it, 64 frames a turn.
+/// Frames of a turn of the guests' scene.
+inline const std::string kTurn = "8";
+
+/// A frame of the guests' scene as the host's command draws it.
 boards::ColourPicture host_frame(int frame, int width, int height);
 /// The same of one bit a pixel: rows of whole bytes, the leftmost pixel in the highest bit.
 std::vector<std::byte> host_frame_mono(int frame, int width, int height);

@@ -91,7 +91,8 @@ TEST_F(LinuxI2c, Ssd1306) {
   EXPECT_EQ(denied.status, 3) << denied.text;
   EXPECT_TRUE(contains(denied.text, "/dev/i2c-0 cannot be opened: no permission; join the group 'i2c'")) << denied.text;
 
-  const Guest::Answer shown = guest.run("shows /scene.zsc --frames 3 --display ssd1306:i2c=/dev/i2c-0,address=60");
+  const Guest::Answer shown =
+      guest.run("shows /scene.zsc --turn " + kTurn + " --frames 3 --display ssd1306:i2c=/dev/i2c-0,address=60");
   EXPECT_TRUE(contains(shown.text, "3 frames of 128x64")) << shown.text;
   {
     sim::Ssd1306Model panel;

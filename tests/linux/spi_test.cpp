@@ -18,8 +18,6 @@ namespace zstrip::linux_guest {
 namespace {
 
 constexpr int kWidth = 64, kHeight = 48;  // more than one message of spidev, and a trace of some megabytes
-constexpr sim::Glass kGlass{
-    .width = kWidth, .height = kHeight, .column_offset = 10, .row_offset = 20, .inverted = true};
 constexpr const char* kPanel = ",size=64x48,column=10,row=20,dc=DC,reset=RESET,backlight=BACKLIGHT";
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -45,26 +43,29 @@ class LinuxSpi : public testing::Test {
             .devices = {"-trace", "pl061_set_output", "-D", trace().string(), "-msg", "timestamp=on"}};
   }
 
-  /// Frame 2 of 64 on the panel, its backlight on; dark and asleep after the end.
-  void expect_shown_and_put_to_rest(const std::string& display, const PanelLines& lines,
-                                    const std::string& program = "zstrip-panel") {
+  /// Frame 2 on the panel, its backlight on; dark and asleep after the end.
+  void expect_shown_and_put_to_rest(Guest& guest, const std::string& display, const PanelLines& lines,
+                                    std::uint16_t width = kWidth, std::uint16_t height = kHeight) {
+    SCOPED_TRACE(display);
     constexpr int kBacklight = 5;
-    Guest guest(traced());
-    guest.run("panel=" + program);
-    const Guest::Answer shown = guest.run("shows /scene.zsc --frames 3 --display " + display);
-    EXPECT_TRUE(contains(shown.text, "3 frames of 64x48")) << shown.text;
+    const sim::Glass glass{.width = width, .height = height, .column_offset = 10, .row_offset = 20, .inverted = true};
+    const std::size_t before = changes_of(trace());
+    const Guest::Answer shown =
+        guest.run("shows /scene.zsc --turn " + kTurn + " --frames 3 --display st7789:" + display);
+    EXPECT_TRUE(contains(shown.text, "3 frames of " + std::to_string(width) + "x" + std::to_string(height)))
+        << shown.text;
     {
-      sim::DcsModel panel(sim::kSt7789Part, kGlass);
-      EXPECT_EQ(replay(trace(), lines, panel), "");
+      sim::DcsModel panel(sim::kSt7789Part, glass);
+      EXPECT_EQ(replay(trace(), lines, panel, before), "");
       EXPECT_EQ(panel.darkness(), "");
       EXPECT_EQ(testing::PrintToString(panel.complaints()), "{}");
-      expect_picture(panel.seen(), host_frame(2, kWidth, kHeight));
+      expect_picture(panel.seen(), host_frame(2, width, height));
     }
     EXPECT_EQ(last_level(trace(), kBacklight), 1);
 
     EXPECT_EQ(guest.run("ends TERM").status, 0);
-    sim::DcsModel panel(sim::kSt7789Part, kGlass);
-    EXPECT_EQ(replay(trace(), lines, panel), "");
+    sim::DcsModel panel(sim::kSt7789Part, glass);
+    EXPECT_EQ(replay(trace(), lines, panel, before), "");
     EXPECT_NE(panel.darkness(), "");
     EXPECT_EQ(testing::PrintToString(panel.complaints()), "{}");
     EXPECT_EQ(last_level(trace(), kBacklight), 0);
@@ -72,12 +73,12 @@ class LinuxSpi : public testing::Test {
 
   /// In the bits that the panel has of each channel.
   static void expect_picture(const sim::RgbImage& seen, const boards::ColourPicture& expected) {
-    ASSERT_EQ(seen.width, kWidth);
-    ASSERT_EQ(seen.height, kHeight);
+    ASSERT_EQ(seen.width, static_cast<std::uint32_t>(expected.width));
+    ASSERT_EQ(seen.height, static_cast<std::uint32_t>(expected.height));
     int wrong = 0;
     int lit = 0;
-    for (std::uint32_t y = 0; y < kHeight; ++y) {
-      for (std::uint32_t x = 0; x < kWidth; ++x) {
+    for (std::uint32_t y = 0; y < seen.height; ++y) {
+      for (std::uint32_t x = 0; x < seen.width; ++x) {
         const std::uint8_t* pixel = seen.pixel(x, y);
         const auto& other = expected.at(static_cast<int>(x), static_cast<int>(y));
         lit += other[1] != 0 ? 1 : 0;
@@ -98,19 +99,17 @@ class LinuxSpiArm64 : public LinuxSpi {
   LinuxSpiArm64() : LinuxSpi(Machine::arm64) {}
 };
 
-TEST_F(LinuxSpi, Spidev) {
-  expect_shown_and_put_to_rest(std::string("st7789:spidev=/dev/spidev0.0,speed=1M") + kPanel,
-                               {.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4});
-}
+constexpr PanelLines kSpidevLines{.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4};
+
+std::string spidev() { return std::string("spidev=/dev/spidev0.0,speed=1M") + kPanel; }
 
 TEST_F(LinuxSpiArm64, Spidev) {
-  expect_shown_and_put_to_rest(std::string("st7789:spidev=/dev/spidev0.0,speed=1M") + kPanel,
-                               {.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4});
+  Guest guest(traced());
+  expect_shown_and_put_to_rest(guest, spidev(), kSpidevLines);
 }
 
-// spidev takes few names of a device tree by itself, its own not among them; any other one by hand.
-TEST_F(LinuxSpi, SpidevIsBoundToDevicesOfAnyName) {
-  Guest guest(traced());
+/// spidev takes few names of a device tree by itself, its own not among them; any other one by hand.
+void expect_spidev_is_bound_to_any_name(Guest& guest) {
   EXPECT_EQ(guest.run("ls /dev/spidev*").text, "/dev/spidev0.0\n");
   for (const auto& [device, name] : {std::pair("0.1", "spidev"), {"0.2", "sitronix,st7789v"}}) {
     const std::string of_device = std::string("/sys/bus/spi/devices/spi") + device;
@@ -179,18 +178,6 @@ TEST_F(LinuxSpi, ControllerOfABoard) {
   EXPECT_TRUE(arrived == expected);
 }
 
-TEST_F(LinuxSpi, SpidevWithLibgpiod2) {
-  if (const std::string why = missing_gpiod2(); !why.empty()) GTEST_SKIP() << why;
-  expect_shown_and_put_to_rest(std::string("st7789:spidev=/dev/spidev0.0,speed=1M") + kPanel,
-                               {.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4},
-                               "zstrip-panel-gpiod2");
-}
-
-TEST_F(LinuxSpi, BitByBit) {
-  expect_shown_and_put_to_rest(std::string("st7789:clock=0:6,data=/dev/gpiochip0:7") + kPanel,
-                               {.clock = 6, .data = 7, .data_command = 3, .select = -1, .reset = 4});
-}
-
 /// The same words with both releases of libgpiod.
 void expect_refusals(Guest& guest, const std::string& program) {
   SCOPED_TRACE(program);
@@ -232,11 +219,22 @@ void expect_refusals(Guest& guest, const std::string& program) {
       << answer.text;
 }
 
-TEST_F(LinuxSpi, WhatIsRefused) {
+// All on one machine, because its start takes longest.
+TEST_F(LinuxSpi, LinesOfAGpioChip) {
   Guest guest(traced());
+  expect_shown_and_put_to_rest(guest, spidev(), kSpidevLines);
+  // Bit by bit, which takes the emulator long: a smaller picture.
+  expect_shown_and_put_to_rest(
+      guest, "clock=0:6,data=/dev/gpiochip0:7,size=32x24,column=10,row=20,dc=DC,reset=RESET,backlight=BACKLIGHT",
+      {.clock = 6, .data = 7, .data_command = 3, .select = -1, .reset = 4}, 32, 24);
   guest.run("chmod 755 /; echo user:x:1000:1000::/:/bin/sh >/etc/passwd");
   expect_refusals(guest, "zstrip-panel");
-  if (missing_gpiod2().empty()) expect_refusals(guest, "zstrip-panel-gpiod2");
+  expect_spidev_is_bound_to_any_name(guest);
+
+  if (const std::string why = missing_gpiod2(); !why.empty()) GTEST_SKIP() << why;
+  guest.run("panel=zstrip-panel-gpiod2");
+  expect_shown_and_put_to_rest(guest, spidev(), kSpidevLines);
+  expect_refusals(guest, "zstrip-panel-gpiod2");
 }
 
 }  // namespace

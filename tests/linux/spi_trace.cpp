@@ -37,7 +37,8 @@ void for_each_change(const std::filesystem::path& trace, const std::function<voi
 
 }  // namespace
 
-std::string replay(const std::filesystem::path& trace, const PanelLines& lines, sim::PanelModel& panel) {
+std::string replay(const std::filesystem::path& trace, const PanelLines& lines, sim::PanelModel& panel,
+                   std::size_t skipped) {
   std::array<bool, 8> levels{};
   const auto level = [&levels](int line) { return line >= 0 && levels[static_cast<std::size_t>(line)]; };
   std::string fault;
@@ -45,6 +46,11 @@ std::string replay(const std::filesystem::path& trace, const PanelLines& lines, 
   unsigned byte = 0;
   sim::Nanoseconds time{};
   for_each_change(trace, [&](const Change& change) {
+    if (skipped > 0) {
+      --skipped;
+      levels[static_cast<std::size_t>(change.line)] = change.high;
+      return;
+    }
     if (time != sim::Nanoseconds{}) panel.elapse(change.time - time);
     time = change.time;
     const bool was = std::exchange(levels[static_cast<std::size_t>(change.line)], change.high);
@@ -63,6 +69,12 @@ std::string replay(const std::filesystem::path& trace, const PanelLines& lines, 
     panel.receive(level(lines.data_command) ? sim::Wire::data : sim::Wire::command, std::span(&arrived, 1));
   });
   return fault;
+}
+
+std::size_t changes_of(const std::filesystem::path& trace) {
+  std::size_t changes = 0;
+  for_each_change(trace, [&](const Change&) { ++changes; });
+  return changes;
 }
 
 int last_level(const std::filesystem::path& trace, int line) {
