@@ -240,7 +240,7 @@ TEST(PlayerChanges, NothingOutsideOfTheRectangleDiffers) {
         EXPECT_EQ(outside, 0U) << scene << ' ' << tracks << ' ' << what;
         before = after;
       };
-      for (std::uint32_t time = 0; time < 2000; time += 130) {
+      for (std::uint32_t time = 0; time < 2000; time += ZSTRIP_FEW_SAMPLES != 0 ? 520 : 130) {
         player.seek(time);
         step("moves");
       }
