@@ -40,7 +40,9 @@ std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files
   for (const auto& [name, content] : files) {
     const std::string data = packs ? deflated(content) : content;
     const std::string packing = number(packs ? 8 : 0, 2) + number(0, 8);
-    const auto sizes = [&](std::size_t bytes) { return number(data.size(), bytes) + number(content.size(), bytes); };
+    const auto sizes = [&, size = content.size()](std::size_t bytes) {
+      return number(data.size(), bytes) + number(size, bytes);
+    };
     const std::string hidden = number(0xFFFFFFFF, 4);
     const std::string fields = wide ? number(9, 2) + number(1, 2) + "x" + number(1, 2) + number(24, 2) +
                                           number(content.size(), 8) + number(data.size(), 8) + number(local.size(), 8)
