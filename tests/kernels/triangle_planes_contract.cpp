@@ -12,7 +12,7 @@ namespace {
 
 using namespace detail;
 
-bool planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
+bool small_planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   const bool narrow = random.below(8) != 0;
   const std::int32_t width = random.between(1, 1 << random.between(2, narrow ? 14 : 25));
   const std::int32_t height = random.between(1, 1 << random.between(2, narrow ? 14 : 25));
@@ -42,7 +42,7 @@ Outcome compare_triangle_planes(std::uint32_t cases) {
   Random random(14);
   Outcome outcome;
   for (std::uint32_t number = 0; number < cases; ++number) {
-    if (planes_differ(random, number, outcome)) break;
+    if (small_planes_differ(random, number, outcome)) break;
   }
   return outcome;
 }
