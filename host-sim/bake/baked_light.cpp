@@ -77,7 +77,7 @@ LightBakedScene::LightBakedScene(const Scene& scene, std::set<std::size_t> kept)
     if (is_new) {
       if (shared.contains(instance.material)) {
         known->second = static_cast<std::uint16_t>(materials_.size());
-        materials_.push_back(Material(materials_[instance.material]));
+        materials_.emplace_back(materials_[instance.material]);
       }
       Material& material = materials_[known->second];
       material.lit = false;

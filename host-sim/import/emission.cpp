@@ -71,7 +71,7 @@ Glow glow_of(const SourceMesh& mesh, std::size_t first, const SourceMaterial& ma
              const RgbImage& emission) {
   constexpr std::array<std::array<double, 3>, 4> kPlaces{
       {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.8, 0.1, 0.1}, {0.1, 0.8, 0.1}, {0.1, 0.1, 0.8}}};
-  static const RgbImage kWhite{1, 1, {255, 255, 255}};
+  static const RgbImage white{1, 1, {255, 255, 255}};
   Glow glow;
   for (const auto& place : kPlaces) {
     std::array<double, 2> at{};
@@ -80,7 +80,7 @@ Glow glow_of(const SourceMesh& mesh, std::size_t first, const SourceMaterial& ma
       for (std::size_t axis = 0; axis < 2; ++axis) at[axis] += place[corner] * double{texcoord[axis]};
     }
     if (!std::isfinite(at[0]) || !std::isfinite(at[1])) return {};
-    glow.base += brightness_at(base == nullptr ? kWhite : *base, material.wrap, material.colour, at) / kPlaces.size();
+    glow.base += brightness_at(base == nullptr ? white : *base, material.wrap, material.colour, at) / kPlaces.size();
     glow.emission += brightness_at(emission, material.wrap, material.emissive, at) / kPlaces.size();
   }
   return glow;

@@ -48,7 +48,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, std::string
   // Exporters write folders of their own machine: "C:/Users/me/model/textures/a.png" may be "textures/a.png" here.
   const std::vector<std::filesystem::path> names(path.begin(), path.end());
   for (std::size_t first = 0; first < names.size(); ++first) {
-    const std::filesystem::path found = find_below(folder, std::span(names).subspan(first));
+    std::filesystem::path found = find_below(folder, std::span(names).subspan(first));
     const bool is_whole = first == 0 && !found.empty();
     if (is_whole || std::filesystem::is_regular_file(found, ignored)) return found;
   }

@@ -88,7 +88,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
       source.warnings.push_back(
           fmt::format("{} are left, more than asked for: {}", counted(reduced->triangles, "triangle"), kTrianglesStay));
     } else if (reduced->slides) {
-      source.warnings.push_back(
+      source.warnings.emplace_back(
           "so few triangles take vertices at which colours, joints or the texture change: they may slide visibly");
     }
   }

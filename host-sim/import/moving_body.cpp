@@ -154,8 +154,8 @@ bool is_fold(const SourceVertex& a, const SourceVertex& b, const SourceVertex& l
 
 MovingBody::MovingBody(const SourceModel& model, std::vector<std::size_t> meshes, double unit)
     : meshes_(std::move(meshes)), unit_(unit) {
-  for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    SourceMesh mesh = model.meshes[meshes_[i]];
+  for (const std::size_t number : meshes_) {
+    SourceMesh mesh = model.meshes[number];
     forget_flat_normals(mesh);
     const auto first = static_cast<std::uint32_t>(vertices_.size());
     first_vertices_.push_back(first);

@@ -124,9 +124,9 @@ std::vector<ReducedMesh> reduce_each(SourceModel& model, double share) {
   MovingBody::keep_shared_borders(bodies);
   std::vector<ReducedMesh> reduced;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const auto all = static_cast<double>(model.meshes[i].indices.size() / 3);
+    const std::size_t all = model.meshes[i].indices.size() / 3;
     bodies[i].hold(Held::all);
-    bodies[i].simplify(bodies[i].size(), static_cast<std::size_t>(std::ceil(all * share)));
+    bodies[i].simplify(bodies[i].size(), static_cast<std::size_t>(std::ceil(static_cast<double>(all) * share)));
     reduced.push_back({bodies[i].triangles(), bodies[i].error()});
   }
   for (const MovingBody& body : bodies) body.write_to(model);
