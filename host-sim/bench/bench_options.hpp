@@ -18,6 +18,7 @@ namespace zstrip::sim {
 /// The table that is measured on boards.
 inline constexpr const char* kBoardTable = "boards";
 
+/// The options as the user wrote them; the command parses their texts when it runs.
 struct BenchOptions {
   std::vector<std::string> targets{"host"};
   std::vector<std::string> workloads{"K5", "CT", "R50", "R10k"};
@@ -47,6 +48,7 @@ struct BenchOptions {
   std::vector<CLI::Option*> of_bake;    ///< the options that are for a scene alone
 };
 
+/// Adds the options and the help to the command. Parsing fills `options`, which must outlive it.
 void add_bench_options(CLI::App& command, BenchOptions& options);
 
 }  // namespace zstrip::sim

@@ -23,7 +23,7 @@ struct PlanReport {
   std::uint16_t strips;
   std::string mode;
 };
-/// Of the file that `zstrip bake --json` wrote.
+/// Returns the plan in a file that `zstrip bake --json` wrote.
 PlanReport baked_plan(const std::string& report);
 
 /// As the command prints it.

@@ -242,7 +242,7 @@ TEST(DynamicZTable, RatioIsOfInstructionsOrElseOfTime) {
   EXPECT_NE(dynamic_z_text(std::vector{rectangle, small}).find("ratio, of instructions"), std::string::npos);
 }
 
-// Of the smallest picture; with ZSTRIP_LONG of a larger one, too.
+// The smallest picture is counted; with ZSTRIP_LONG a larger one, too.
 TEST(DynamicZCommand, RowsAreRightAndKeepTheTargets) {
   const std::string file = testing::TempDir() + "zstrip_dynamic_z.json";
   const bool is_long = std::getenv("ZSTRIP_LONG") != nullptr;

@@ -119,7 +119,7 @@ template <class Take>
 auto drawn(int frame, const std::string& options, const std::string& extension, Take take) {
   std::string folder = std::filesystem::temp_directory_path() / "zstrip-frames-XXXXXX";
   if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("cannot make " + folder);
-  // Of a turn only the first frame can be had alone.
+  // `zstrip render` gives only the first frame of a turn alone.
   const std::string frames = frame == 0 ? "1" : kTurn;
   const std::string output = frame == 0 ? folder + "/frame_0000" + extension : folder;
   const std::string command = std::string(ZSTRIP_COMMAND) + " render " + (kGuests / "scene.zsc").string() +

@@ -32,7 +32,7 @@ std::size_t least_memory(Blob& blob, const Screen& screen, const FitOptions& opt
   return kMuch;
 }
 
-// Under sanitizers in one size.
+// Sanitizers see one size.
 TEST(Player, DrawsWhatARendererDraws) {
   for (const std::string scene : kScenes) {
     Blob blob = blob_of(scene);
