@@ -95,10 +95,10 @@ function(zstrip_precompile target)
 endfunction()
 
 # zstrip_compile_tests_together(TARGET [APART source...]): if tests are to be, eight sources at a time, so that processors
-# share a program. APART: names of theirs clash with others'; ALL: each for itself.
+# share a program. APART: names of theirs clash with others'.
 function(zstrip_compile_tests_together target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "APART")
-  if("tests" IN_LIST ZSTRIP_COMPILE_TOGETHER AND NOT arg_APART STREQUAL "ALL")
+  if("tests" IN_LIST ZSTRIP_COMPILE_TOGETHER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
     if(arg_APART)
       set_source_files_properties(${arg_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -3,40 +3,32 @@
 #include <cmath>
 #include <random>
 
+#include "../oracle/vectors.hpp"
 #include "drawn.hpp"
 #include "zstrip/effects/billboards/billboard.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 
-namespace effects_test {
+namespace effects_test::billboard_test {
 namespace {
 
-using Point = std::array<double, 3>;
+using namespace oracle;
 
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Point scaled(const Point& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
-Point unit(const Point& a) { return scaled(a, 1 / std::sqrt(dot(a, a))); }
-Point of_axis(const Vec3& v) { return {std::ldexp(v.x, -30), std::ldexp(v.y, -30), std::ldexp(v.z, -30)}; }
 Point column(const Transform& t, int c) {
   return {std::ldexp(t.m[0][c], -16), std::ldexp(t.m[1][c], -16), std::ldexp(t.m[2][c], -16)};
 }
-Fixed to_fixed(double value) { return static_cast<Fixed>(std::lround(std::ldexp(value, 16))); }
-double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 /// As docs/conventions.md defines it.
 std::array<Point, 3> turned(const Transform& t, Billboard billboard, const Camera& camera) {
   const Point right = of_axis(camera.right), up = of_axis(camera.up), back = of_axis(camera.back);
   const double x = length(column(t, 0)), y = length(column(t, 1)), z = length(column(t, 2));
-  if (billboard == Billboard::viewer || y == 0) return {scaled(right, x), scaled(up, y), scaled(back, z)};
+  if (billboard == Billboard::viewer || y == 0) return {x * right, y * up, z * back};
   const Point axis = unit(column(t, 1));
   const double along = dot(right, axis);
-  Point side{right[0] - along * axis[0], right[1] - along * axis[1], right[2] - along * axis[2]};
+  Point side = right - along * axis;
   if (std::ranges::all_of(side, [](double c) { return std::abs(c) < 1.0 / 256; })) side = cross(axis, back);
   side = unit(side);
-  return {scaled(side, x), column(t, 1), scaled(cross(side, axis), z)};
+  return {x * side, column(t, 1), z * cross(side, axis)};
 }
 
 class Billboards : public testing::Test {
@@ -211,4 +203,4 @@ TEST_F(Billboards, TakeTheBytesThatThePlanSays) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::billboard_test

@@ -7,7 +7,7 @@
 #include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/stage.hpp"
 
-namespace effects_test {
+namespace effects_test::dither_test {
 namespace {
 
 constexpr View kPlain{75, 58, PixelFormat::rgb565};
@@ -226,4 +226,4 @@ TEST(Dithering, ARendererWithoutTheEffectDrawsThePictureUndithered) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::dither_test

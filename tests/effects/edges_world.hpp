@@ -5,20 +5,20 @@
 #include <cmath>
 #include <vector>
 
+#include "../oracle/vectors.hpp"
 #include "edges_of.hpp"
 #include "own_mesh.hpp"
 #include "samples.hpp"
 
 namespace effects_test {
 
+using oracle::to_fixed;
 using zstrip::test::OwnMesh;
 
 inline constexpr double kPi = 3.14159265358979;
 inline constexpr View kSquare{64, 64};
 /// As many units fill the picture's height as its pixels are.
 inline constexpr double kPixel = 1.0 / 16;
-
-inline Fixed to_fixed(double value) { return static_cast<Fixed>(std::lround(std::ldexp(value, 16))); }
 
 inline Transform turned_flat(double angle, double scale, double x, double y, double z) {
   const Fixed c = to_fixed(scale * std::cos(angle)), s = to_fixed(scale * std::sin(angle));

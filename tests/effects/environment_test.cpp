@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "../oracle/vectors.hpp"
 #include "drawn.hpp"
 #include "zstrip/effects/environment/environment.hpp"
 #include "zstrip/effects/exclusions.hpp"
@@ -10,16 +11,10 @@
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 
-namespace effects_test {
+namespace effects_test::environment_test {
 namespace {
 
-using Point = std::array<double, 3>;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point scaled(const Point& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
-Point unit(const Point& a) { return scaled(a, 1 / std::sqrt(dot(a, a))); }
-Point of_axis(const Vec3& v) { return {std::ldexp(v.x, -30), std::ldexp(v.y, -30), std::ldexp(v.z, -30)}; }
-Fixed to_fixed(double value) { return static_cast<Fixed>(std::lround(std::ldexp(value, 16))); }
+using namespace oracle;
 
 /// As docs/conventions.md defines it: right and up on the map, 1 is its rim, and the cosine to the line of sight.
 struct Mirrored {
@@ -34,7 +29,7 @@ Mirrored mirrored(const Mesh& mesh, std::size_t vertex, const Transform& t, cons
       std::ldexp(mesh.centre.y, -16) + std::ldexp(mesh.half_extent.y, -16) * p.y / 32768,
       std::ldexp(mesh.centre.z, -16) + std::ldexp(mesh.half_extent.z, -16) * p.z / 32768,
   };
-  const Point eye{std::ldexp(camera.eye.x, -16), std::ldexp(camera.eye.y, -16), std::ldexp(camera.eye.z, -16)};
+  const Point eye = of_place(camera.eye);
   Point world{}, to_eye{};
   for (std::size_t r = 0; r < 3; ++r) {
     const Fixed* const row = t.m[r];
@@ -338,4 +333,4 @@ TEST_F(Environment, TakesTheBytesThatThePlanSays) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::environment_test

@@ -4,7 +4,7 @@
 
 #include "drawn.hpp"
 
-namespace effects_test {
+namespace effects_test::fog_test {
 namespace {
 
 constexpr View kView{96, 64, PixelFormat::rgb565};
@@ -142,4 +142,4 @@ TEST(EffectsFog, WhatIsNoFogIsRefused) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::fog_test

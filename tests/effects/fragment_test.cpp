@@ -4,7 +4,7 @@
 
 #include "drawn.hpp"
 
-namespace effects_test {
+namespace effects_test::fragment_test {
 namespace {
 
 constexpr int kSize = 64, kTexels = 16, kScale = kSize / kTexels;
@@ -172,4 +172,4 @@ TEST(EffectsFragments, ATextureWithoutItsAlphaIsRefused) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::fragment_test

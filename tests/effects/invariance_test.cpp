@@ -6,7 +6,7 @@
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/stage.hpp"
 
-namespace effects_test {
+namespace effects_test::invariance_test {
 namespace {
 
 constexpr View kView{75, 58, PixelFormat::rgb565};
@@ -64,4 +64,4 @@ TEST(EffectsInvariance, SupersetsDrawScenesWithoutEffectsAlike) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::invariance_test

@@ -3,18 +3,13 @@
 #include <cmath>
 #include <random>
 
+#include "../oracle/vectors.hpp"
 #include "drawn.hpp"
 
-namespace effects_test {
+namespace effects_test::light_test {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
-Vector unit(const Vector& v) { return {v[0] / length(v), v[1] / length(v), v[2] / length(v)}; }
+using namespace oracle;
 
 constexpr View kView{8, 8, PixelFormat::rgb565};
 constexpr double kHalf = 4;
@@ -47,13 +42,13 @@ struct Sheet {
     return scene;
   }
   /// World coordinates of the first vertex; the instance is at most moved.
-  Vector vertex() const {
+  Point vertex() const {
     const auto at = [this](int axis, std::int16_t p) {
       return p * kHalf / 32768 + instance.transform.m[axis][3] / 65536.0;
     };
     return {at(0, positions[0].x), at(1, positions[0].y), at(2, positions[0].z)};
   }
-  Vector normal() const { return unit({normals[0].x / 127.0, normals[0].y / 127.0, normals[0].z / 127.0}); }
+  Point normal() const { return unit({normals[0].x / 127.0, normals[0].y / 127.0, normals[0].z / 127.0}); }
 };
 
 struct Samples {
@@ -64,16 +59,14 @@ struct Samples {
     sheet.positions[0] = {static_cast<std::int16_t>(between(-20000, -9000)),
                           static_cast<std::int16_t>(between(-20000, -9000)),
                           static_cast<std::int16_t>(between(-4000, 4000))};
-    const Vector n = unit({between(-60, 60) / 100.0, between(-60, 60) / 100.0, 1});
+    const Point n = unit({between(-60, 60) / 100.0, between(-60, 60) / 100.0, 1});
     sheet.normals.fill({static_cast<std::int8_t>(std::lround(n[0] * 127)),
                         static_cast<std::int8_t>(std::lround(n[1] * 127)),
                         static_cast<std::int8_t>(std::lround(n[2] * 127)), 0});
     return sheet;
   }
-  Vector direction() { return unit({between(-80, 80) / 100.0, between(-80, 80) / 100.0, between(30, 100) / 100.0}); }
+  Point direction() { return unit({between(-80, 80) / 100.0, between(-80, 80) / 100.0, between(30, 100) / 100.0}); }
 };
-
-Vector eye(const Camera& camera) { return {camera.eye.x / 65536.0, camera.eye.y / 65536.0, camera.eye.z / 65536.0}; }
 
 /// RGB565 drops up to 3 of 255; up to 4 more are rounded on the way, most where a narrow cone magnifies a cosine.
 void expect_near(const Drawn& drawn, double expected) {
@@ -128,14 +121,14 @@ void expect_highlights(const Camera& camera) {
   int bright = 0;
   for (int i = 0; i < 300; ++i) {
     Sheet sheet = samples.sheet();
-    const Vector towards = samples.direction();
+    const Point towards = samples.direction();
     const auto part = [&](std::size_t axis) { return static_cast<std::int16_t>(std::lround(towards[axis] * 32767)); };
     sheet.directional = {part(0), part(1), part(2), {255, 200, 255, 255}};
     sheet.finish.specular = {0, 240, 0, 255};
     sheet.finish.shininess = static_cast<std::uint8_t>(samples.between(1, 60));
     const Drawn drawn = draw<effect::lighting | effect::specular | more>(sheet.scene(true, false), camera, kView);
     const bool parallel = camera.projection == Projection::orthographic;
-    const Vector view = parallel ? Vector{0, 0, 1} : unit(eye(camera) - sheet.vertex());
+    const Point view = parallel ? Point{0, 0, 1} : unit(of_place(camera.eye) - sheet.vertex());
     const double cosine = std::max(0.0, dot(sheet.normal(), unit(view + towards)));
     const double expected =
         dot(sheet.normal(), towards) > 0 ? 200 * 240 / 255.0 * std::pow(cosine, sheet.finish.shininess) : 0;
@@ -161,9 +154,9 @@ TEST(EffectsLight, PunctualLightIsAsKhrLightsPunctualSays) {
     const bool spot = i % 2 == 1;
     sheet.material.colour = {255, 230, 255, 255};
     sheet.instance.transform.m[0][3] = samples.between(-20000, 20000);
-    const Vector away = samples.direction();
+    const Point away = samples.direction();
     const double distance = std::exp(samples.between(-20, 15) / 10.0);
-    const Vector at = sheet.vertex();
+    const Point at = sheet.vertex();
     PunctualLight& light = sheet.punctual;
     const auto place = [&](std::size_t axis) {
       return static_cast<Fixed>(std::lround((at[axis] + away[axis] * distance) * 65536));
@@ -173,12 +166,12 @@ TEST(EffectsLight, PunctualLightIsAsKhrLightsPunctualSays) {
     light.colour = {0, 220, 0, 255};
     if (samples.between(0, 1) == 1) light.range = static_cast<Fixed>(distance * samples.between(50000, 200000));
     double angular = 1;
-    const Vector real{light.position.x / 65536.0, light.position.y / 65536.0, light.position.z / 65536.0};
-    const Vector to_light = real - at;
+    const Point real = of_place(light.position);
+    const Point to_light = real - at;
     if (spot) {
       light.type = PunctualLightType::spot;
-      const Vector shines = unit(
-          Vector{-away[0] + samples.between(-40, 40) / 100.0, -away[1] + samples.between(-40, 40) / 100.0, -away[2]});
+      const Point shines = unit(
+          Point{-away[0] + samples.between(-40, 40) / 100.0, -away[1] + samples.between(-40, 40) / 100.0, -away[2]});
       const auto part = [&](std::size_t axis) { return static_cast<std::int16_t>(std::lround(shines[axis] * 32767)); };
       light.x = part(0), light.y = part(1), light.z = part(2);
       light.cosine_inner = static_cast<std::int16_t>(samples.between(29000, 32767));
@@ -221,4 +214,4 @@ TEST(EffectsLight, WhatIsNoLightIsRefused) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::light_test

@@ -9,7 +9,7 @@
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/stage.hpp"
 
-namespace effects_test {
+namespace effects_test::mipmap_test {
 namespace {
 
 constexpr View kView{120, 90, PixelFormat::rgb565};
@@ -344,4 +344,4 @@ TEST(Mipmaps, NeedAllTheirWordsAndEndAtOneTexel) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::mipmap_test

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "../oracle/vectors.hpp"
 #include "drawn.hpp"
 #include "outlines_scene.hpp"
 #include "own_mesh.hpp"
@@ -11,13 +12,10 @@
 #include "zstrip/effects/exclusions.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 
-namespace effects_test {
+namespace effects_test::outline_test {
 namespace {
 
-using Point = std::array<double, 3>;
-
-Fixed to_fixed(double value) { return static_cast<Fixed>(std::lround(std::ldexp(value, 16))); }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using namespace oracle;
 
 constexpr Colour kRed{255, 0, 0, 255};
 constexpr std::uint16_t kRedPixel = 0xF800;
@@ -295,9 +293,7 @@ TEST(Outlines, VerticesMoveAsTheDefinitionSays) {
   double most = 0;
   for (int i = 0; i < 4000; ++i) {
     OwnMesh own;
-    Point n{between(-1, 1), between(-1, 1), between(-1, 1)};
-    const double length = std::sqrt(dot(n, n));
-    for (double& c : n) c /= length;
+    Point n = unit({between(-1, 1), between(-1, 1), between(-1, 1)});
     own.positions = {{static_cast<std::int16_t>(between(-32767, 32767)), 0, 5}};
     own.normals = {{static_cast<std::int8_t>(std::lround(127 * n[0])),
                     static_cast<std::int8_t>(std::lround(127 * n[1])),
@@ -316,10 +312,8 @@ TEST(Outlines, VerticesMoveAsTheDefinitionSays) {
     detail::make_outline(compiled, world.outlines[0], world.instances[0].transform, camera, kView, fit);
     const detail::HullVertex moved = parallel ? detail::hull_vertex<true>(compiled, world.meshes[0], 0)
                                               : detail::hull_vertex<false>(compiled, world.meshes[0], 0);
-    const auto axis = [](const Vec3& v) {
-      return Point{std::ldexp(v.x, -30), std::ldexp(v.y, -30), std::ldexp(v.z, -30)};
-    };
-    const double right = dot(n, axis(camera.right)), down = -dot(n, axis(camera.up)), away = -dot(n, axis(camera.back));
+    const double right = dot(n, of_axis(camera.right)), down = -dot(n, of_axis(camera.up));
+    const double away = -dot(n, of_axis(camera.back));
     const double share = std::min(1.0, (1 + right * right + down * down) / 2);
     const double width = world.outlines[0].width;                            // 1/16 pixels
     const double pixels = std::ldexp(camera.focal, -16) * kView.height / 2;  // a unit of length, at distance 1
@@ -391,4 +385,4 @@ TEST(Outlines, MethodsThatKnowNoHullsRefuseThem) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::outline_test

@@ -6,7 +6,7 @@
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/stage.hpp"
 
-namespace effects_test {
+namespace effects_test::palette_test {
 namespace {
 
 /// 32x16 texels of 16 or 256 colours, as RGB565 and with a palette: written here from the definition of the format.
@@ -163,4 +163,4 @@ TEST(Palettes, NeedAllTheirWords) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::palette_test

@@ -49,17 +49,12 @@ class IdsInSpace {
   static constexpr long double kCloseToEdge = 0.125L;
 
   oracle::Homogeneous projected(const oracle::Point& world) const {
-    const auto axis = [](const Vec3& v) {
-      return oracle::Point{std::ldexp(v.x, -30), std::ldexp(v.y, -30), std::ldexp(v.z, -30)};
-    };
     using oracle::operator-;
-    const Vec3& e = camera_.eye;
-    const oracle::Point from_eye =
-        world - oracle::Point{std::ldexp(e.x, -16), std::ldexp(e.y, -16), std::ldexp(e.z, -16)};
+    const oracle::Point from_eye = world - oracle::of_place(camera_.eye);
     const double focal = std::ldexp(camera_.focal, -16) * kPicture.height / 2;
-    const double w = -oracle::dot(from_eye, axis(camera_.back));
-    return {focal * oracle::dot(from_eye, axis(camera_.right)) + kPicture.width / 2.0 * w,
-            -focal * oracle::dot(from_eye, axis(camera_.up)) + kPicture.height / 2.0 * w, w};
+    const double w = -oracle::dot(from_eye, oracle::of_axis(camera_.back));
+    return {focal * oracle::dot(from_eye, oracle::of_axis(camera_.right)) + kPicture.width / 2.0 * w,
+            -focal * oracle::dot(from_eye, oracle::of_axis(camera_.up)) + kPicture.height / 2.0 * w, w};
   }
 
   void add(const oracle::Facet& facet, bool double_sided, std::uint16_t instance, std::uint32_t number) {

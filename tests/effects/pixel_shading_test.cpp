@@ -6,28 +6,18 @@
 #include <string>
 #include <utility>
 
+#include "../oracle/vectors.hpp"
 #include "drawn.hpp"
 #include "zstrip/base/pixel_direction.hpp"
 
-namespace effects_test {
+namespace effects_test::pixel_shading_test {
 namespace {
 
-using Vector = std::array<double, 3>;
+using namespace oracle;
 
-Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
-Vector unit(const Vector& v) { return 1 / length(v) * v; }
-Vector of_axis(const Vec3& v) { return {std::ldexp(v.x, -30), std::ldexp(v.y, -30), std::ldexp(v.z, -30)}; }
-Vector of_place(const Vec3& v) { return {std::ldexp(v.x, -16), std::ldexp(v.y, -16), std::ldexp(v.z, -16)}; }
-Vector of_colour(const Colour& c) { return {c.r / 255.0, c.g / 255.0, c.b / 255.0}; }
+Point of_colour(const Colour& c) { return {c.r / 255.0, c.g / 255.0, c.b / 255.0}; }
 template <class Light>
-Vector of_direction(const Light& light) {
+Point of_direction(const Light& light) {
   return unit({light.x / 32767.0, light.y / 32767.0, light.z / 32767.0});
 }
 
@@ -86,25 +76,25 @@ class Oracle {
   }
 
   /// 0..255 a channel, of the point (x, y) of the picture, where the triangle's plane lies before the eye.
-  Vector at(double x, double y) const {
+  Point at(double x, double y) const {
     const Camera& camera = sheet_.camera;
     const bool parallel = camera.projection == Projection::orthographic;
     const double scale = 2 / (camera.focal / 65536.0 * view_.height);
-    const Vector across = ((x - view_.width / 2.0) * scale) * of_axis(camera.right) +
-                          ((view_.height / 2.0 - y) * scale) * of_axis(camera.up);
-    const Vector origin = parallel ? eye_ + across : eye_;
-    const Vector ray = parallel ? -1.0 * of_axis(camera.back) : across - of_axis(camera.back);
-    const Vector plane = cross(corner_[1] - corner_[0], corner_[2] - corner_[0]);
-    const Vector place = origin + dot(plane, corner_[0] - origin) / dot(plane, ray) * ray;
-    Vector weight;
+    const Point across = ((x - view_.width / 2.0) * scale) * of_axis(camera.right) +
+                         ((view_.height / 2.0 - y) * scale) * of_axis(camera.up);
+    const Point origin = parallel ? eye_ + across : eye_;
+    const Point ray = parallel ? -1.0 * of_axis(camera.back) : across - of_axis(camera.back);
+    const Point plane = cross(corner_[1] - corner_[0], corner_[2] - corner_[0]);
+    const Point place = origin + dot(plane, corner_[0] - origin) / dot(plane, ray) * ray;
+    Point weight;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector& from = corner_[(i + 1) % 3];
+      const Point& from = corner_[(i + 1) % 3];
       weight[i] = dot(cross(corner_[(i + 2) % 3] - from, place - from), plane) / dot(plane, plane);
     }
-    Vector normal{};
+    Point normal{};
     for (std::size_t i = 0; i < 3; ++i) normal = normal + weight[i] * normal_[i];
-    const Vector to_eye = parallel ? of_axis(camera.back) : unit(eye_ - place);
-    Vector colour = lit(place, unit(normal), to_eye);
+    const Point to_eye = parallel ? of_axis(camera.back) : unit(eye_ - place);
+    Point colour = lit(place, unit(normal), to_eye);
     if (!sheet_.mesh.colours.empty()) {
       for (std::size_t c = 0; c < 3; ++c) {
         double own = 0;
@@ -118,16 +108,16 @@ class Oracle {
   static constexpr double kSnapped = 1.0 / 16;
 
  private:
-  Vector lit(const Vector& place, const Vector& normal, const Vector& to_eye) const {
+  Point lit(const Point& place, const Point& normal, const Point& to_eye) const {
     const Scene& scene = sheet_.scene;
-    const Vector surface = of_colour(sheet_.material.colour), shine = of_colour(sheet_.finish.specular);
-    Vector sum{};
-    const auto add = [&](const Vector& light, const Vector& times, double share) {
+    const Point surface = of_colour(sheet_.material.colour), shine = of_colour(sheet_.finish.specular);
+    Point sum{};
+    const auto add = [&](const Point& light, const Point& times, double share) {
       for (std::size_t c = 0; c < 3; ++c) sum[c] += light[c] * times[c] * share;
     };
     add(of_colour(scene.ambient), surface, 1);
     add(of_colour(sheet_.finish.emissive), {1, 1, 1}, 1);
-    const auto add_from = [&](const Vector& towards, const Colour& light, double arrives) {
+    const auto add_from = [&](const Point& towards, const Colour& light, double arrives) {
       const double cosine = dot(normal, towards);
       if (cosine <= 0) return;
       add(of_colour(light), surface, arrives * cosine);
@@ -136,7 +126,7 @@ class Oracle {
     };
     for (const DirectionalLight& light : scene.lights) add_from(of_direction(light), light.colour, 1);
     for (const PunctualLight& light : scene.punctual_lights) {
-      const Vector to_light = of_place(light.position) - place;
+      const Point to_light = of_place(light.position) - place;
       const double d = length(to_light);
       double arrives = light.intensity / 65536.0 / (d * d);
       if (light.range != 0) arrives *= std::max(0.0, 1 - std::pow(d / (light.range / 65536.0), 4));
@@ -153,9 +143,9 @@ class Oracle {
 
   /// Vertex colours are linear on the screen.
   double screen_weight(std::size_t corner, double x, double y) const {
-    const auto screen = [&](const Vector& world) {
+    const auto screen = [&](const Point& world) {
       const Camera& camera = sheet_.camera;
-      const Vector from_eye = world - eye_;
+      const Point from_eye = world - eye_;
       const double w = camera.projection == Projection::orthographic ? 1 : -dot(from_eye, of_axis(camera.back));
       const double scale = camera.focal / 65536.0 * view_.height / 2 / w;
       return std::array{view_.width / 2.0 + scale * dot(from_eye, of_axis(camera.right)),
@@ -171,8 +161,8 @@ class Oracle {
 
   const Sheet& sheet_;
   const View& view_;
-  Vector eye_;
-  Vector corner_[3], normal_[3];
+  Point eye_;
+  Point corner_[3], normal_[3];
 };
 
 constexpr View kView{48, 40, PixelFormat::rgb565};
@@ -186,13 +176,13 @@ class PixelShading : public testing::Test {
   std::uint8_t channel(int low = 60) { return static_cast<std::uint8_t>(between(low, 255)); }
   Colour colour(int low = 60) { return {channel(low), channel(low), channel(low), 255}; }
   template <class Light>
-  void point(Light& light, const Vector& towards) {
-    const Vector u = unit(towards);
+  void point(Light& light, const Point& towards) {
+    const Point u = unit(towards);
     const auto part = [&](std::size_t i) { return static_cast<std::int16_t>(std::lround(u[i] * 32767)); };
     light.x = part(0), light.y = part(1), light.z = part(2);
   }
-  static Normal normal_of(const Vector& v) {
-    const Vector u = unit(v);
+  static Normal normal_of(const Point& v) {
+    const Point u = unit(v);
     const auto part = [&](std::size_t i) { return static_cast<std::int8_t>(std::lround(u[i] * 127)); };
     return {part(0), part(1), part(2), 0};
   }
@@ -235,7 +225,7 @@ class PixelShading : public testing::Test {
       light.colour = colour();
     }
     for (PunctualLight& light : sheet.punctual) {
-      const Vector away{real(-0.5, 0.5) * reach, real(-0.5, 0.5) * reach, real(0.6, 1.2) * reach};
+      const Point away{real(-0.5, 0.5) * reach, real(-0.5, 0.5) * reach, real(0.6, 1.2) * reach};
       light.position = {t.m[0][3] + fixed_of(away[0]), t.m[1][3] + fixed_of(away[1]), t.m[2][3] + fixed_of(away[2])};
       light.intensity = fixed_of(real(0.2, 0.8) * dot(away, away));
       light.colour = colour();
@@ -260,10 +250,10 @@ class PixelShading : public testing::Test {
         const std::uint16_t pixel = drawn.at(x, y);
         if (pixel == nothing) continue;
         ++pixels_;
-        Vector low{255, 255, 255}, high{};
+        Point low{255, 255, 255}, high{};
         constexpr double kBy = Oracle::kSnapped;
         for (const auto& [dx, dy] : {std::pair{0.0, 0.0}, {-kBy, -kBy}, {-kBy, kBy}, {kBy, -kBy}, {kBy, kBy}}) {
-          const Vector expected = oracle.at(x + 0.5 + dx, y + 0.5 + dy);
+          const Point expected = oracle.at(x + 0.5 + dx, y + 0.5 + dy);
           for (std::size_t c = 0; c < 3; ++c) {
             low[c] = std::min(low[c], expected[c]), high[c] = std::max(high[c], expected[c]);
           }
@@ -446,13 +436,13 @@ TEST_F(PixelShading, DirectionsAreAsLongAsTheySay) {
   double component = 0, longer = 0, root = 0;
   for (int i = 0; i < 100000; ++i) {
     const double size = std::exp2(real(0, 30.9));
-    Vector v;
+    Point v;
     for (double& c : v) c = std::trunc(real(-1, 1) * size);
     if (length(v) == 0) continue;
     const auto whole = [&](std::size_t c) { return static_cast<std::int32_t>(v[c]); };
     const detail::DirectionAndLength d = detail::pixel_direction_of(whole(0), whole(1), whole(2));
-    const Vector got{std::ldexp(d.unit.x, -14), std::ldexp(d.unit.y, -14), std::ldexp(d.unit.z, -14)};
-    const Vector expected = unit(v);
+    const Point got{std::ldexp(d.unit.x, -14), std::ldexp(d.unit.y, -14), std::ldexp(d.unit.z, -14)};
+    const Point expected = unit(v);
     for (std::size_t c = 0; c < 3; ++c) component = std::max(component, std::abs(got[c] - expected[c]));
     longer = std::max(longer, std::abs(length(got) - 1));
     root = std::max({root, std::abs(std::ldexp(d.root, d.shift) / length(v) - 1),
@@ -469,4 +459,4 @@ TEST_F(PixelShading, DirectionsAreAsLongAsTheySay) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::pixel_shading_test

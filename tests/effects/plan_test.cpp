@@ -7,7 +7,7 @@
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
-namespace effects_test {
+namespace effects_test::plan_test {
 namespace {
 
 constexpr View kView{64, 48, PixelFormat::rgb565};
@@ -86,4 +86,4 @@ TEST(EffectsPlan, EightBytesForEffectsHadAHeadOfSixteenWrittenIntoThem) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::plan_test

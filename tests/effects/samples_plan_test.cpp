@@ -6,7 +6,7 @@
 #include "zstrip_scenes/room.hpp"
 #include "zstrip_scenes/stage.hpp"
 
-namespace effects_test {
+namespace effects_test::samples_plan_test {
 namespace {
 
 TEST(Supersampling, APlanHasWhatAFrameTakesAndNoByteMore) {
@@ -165,4 +165,4 @@ TEST(Supersampling, StaticLayersHaveOneSample) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::samples_plan_test

@@ -9,7 +9,7 @@
 #include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/stage.hpp"
 
-namespace effects_test {
+namespace effects_test::samples_test {
 namespace {
 
 /// Rows and columns of samples in a pixel.
@@ -305,4 +305,4 @@ TEST(Supersampling, LinesOfTwoSamplesAreThoseOfTheirDefinition) {
 }
 
 }  // namespace
-}  // namespace effects_test
+}  // namespace effects_test::samples_test

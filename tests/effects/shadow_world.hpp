@@ -11,11 +11,10 @@
 
 namespace effects_test {
 
+using oracle::to_fixed;
 using zstrip::test::faceted_box;
 using zstrip::test::OwnMesh;
 using zstrip::test::sphere;
-
-inline Fixed to_fixed(double value) { return static_cast<Fixed>(std::lround(std::ldexp(value, 16))); }
 
 /// Turned about the vertical axis.
 inline Transform placed(double x, double y, double z, double scale, double turn = 0) {

@@ -2,27 +2,17 @@
 // scene.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include "vectors.hpp"
 #include "zstrip/camera.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/view.hpp"
 
 namespace oracle {
-
-using Point = std::array<double, 3>;
-inline Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Point operator*(double s, const Point& p) { return {s * p[0], s * p[1], s * p[2]}; }
-inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline Point unit(const Point& a) { return 1 / std::sqrt(dot(a, a)) * a; }
 
 struct Ray {
   Point from, along;
@@ -31,14 +21,11 @@ struct Ray {
 
 /// Through (x, y) pixels of a picture; distances on it are those along the viewing direction.
 inline Ray ray_through(const zstrip::Camera& camera, const zstrip::View& view, double x, double y) {
-  const auto axis = [](const zstrip::Vec3& v) {
-    return Point{std::ldexp(v.x, -30), std::ldexp(v.y, -30), std::ldexp(v.z, -30)};
-  };
   const double focal = std::ldexp(camera.focal, -16) * view.height / 2;
   const Point aside =
-      (x - view.width / 2.0) / focal * axis(camera.right) - (y - view.height / 2.0) / focal * axis(camera.up);
-  const Point eye{std::ldexp(camera.eye.x, -16), std::ldexp(camera.eye.y, -16), std::ldexp(camera.eye.z, -16)};
-  const Point forwards = -1.0 * axis(camera.back);
+      (x - view.width / 2.0) / focal * of_axis(camera.right) - (y - view.height / 2.0) / focal * of_axis(camera.up);
+  const Point eye = of_place(camera.eye);
+  const Point forwards = -1.0 * of_axis(camera.back);
   if (camera.projection == zstrip::Projection::orthographic) return {eye + aside, forwards};
   return {eye, forwards + aside};
 }
