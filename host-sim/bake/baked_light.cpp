@@ -26,9 +26,10 @@ std::vector<Colour> lit_colours(const Scene& scene, const Instance& instance) {
   const Mesh& mesh = scene.meshes[instance.mesh];
   detail::CompiledInstance compiled;
   // Light does not depend on the camera. In a depth range that ends before it begins nothing is seen, and nothing
-  // fails.
+  // fails. A picture without rows would have no scale.
+  constexpr View kOnePixel{1, 1};
   constexpr DepthFit kNothing{.near = 1, .far = 0, .quotient_at_near = 0, .offset = 0};
-  static_cast<void>(compile_instance(compiled, scene, instance, Camera{}, View{}, kNothing));
+  static_cast<void>(compile_instance(compiled, scene, instance, Camera{}, kOnePixel, kNothing));
   std::vector<Colour> colours(mesh.positions.size());
   detail::shade_vertices<effect::lighting | effect::vertex_colours>(
       compiled, mesh, 0, static_cast<std::uint32_t>(colours.size()), colours.data());

@@ -37,7 +37,7 @@ Result<SceneCase> scene_case(const BakeArguments& bake, const BoardModel& board,
   if (!stage) return stage.failure();
   const Result<Staging> staging = (*stage)->place(0, frames);
   if (!staging) return staging.failure();
-  if (staging->tree.nodes.size() != 0 || request->method != Effects{}) {
+  if (!staging->tree.nodes.empty() || request->method != Effects{}) {
     return usage(
         fmt::format("'{}' was baked for a visibility method; boards count scenes with the z-buffer", bake.scene));
   }

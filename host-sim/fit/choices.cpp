@@ -132,7 +132,7 @@ std::vector<TextureSide> texture_sides(const Scene& scene) {
 }
 
 std::string texture_words(const BakeArguments& arguments) {
-  const std::string side = arguments.camera.reduction.texture_size.value_or("whole");
+  std::string side = arguments.camera.reduction.texture_size.value_or("whole");
   if (side == "0") return "none: vertices";
   if (arguments.textures == "rgb565") return side;
   return side + (arguments.textures == "palette8" ? ", 256 colours" : ", 16 colours");

@@ -24,7 +24,7 @@ constexpr const char* kStyle =
     "figcaption{font-size:13px;font-variant-numeric:tabular-nums;white-space:pre-line}";
 
 double percent_off(const FitChoice& choice) {
-  return 100.0 * static_cast<double>(choice.off) / static_cast<double>(choice.picture.rgb.size() / 3);
+  return 100.0 * static_cast<double>(choice.off) / (static_cast<double>(choice.picture.rgb.size()) / 3);
 }
 
 }  // namespace

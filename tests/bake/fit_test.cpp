@@ -154,7 +154,8 @@ TEST_F(Fit, BakedLightThatSavesNothingIsNotListed) {
   const std::string model = file("plain.obj", read(path("sphere.obj")) +
                                                   "newmtl plain\nusemtl plain\nv 0 0 0\nv 0 .1 0\nv .1 0 0\n"
                                                   "f -3 -2 -1\n");
-  for (const Json& choice : fit(model, {"--fps", "1"}).at("choices")) {
+  const Json found = fit(model, {"--fps", "1"});
+  for (const Json& choice : found.at("choices")) {
     EXPECT_TRUE(choice.at("lighting") == "drawn" || choice.at("texture_size") == 0) << choice;
   }
 }

@@ -117,16 +117,4 @@ std::string misplaced(const Program& program, Effects effects) {
   return lines;
 }
 
-std::string misplaced(const Program& program, Effects effects, const OwnSymbols& own) {
-  std::string lines;
-  for (const budget::Symbol& symbol : budget::read_elf(program.file).symbols) {
-    const std::string name = budget::reader_name(symbol.name);
-    const auto found = own.find(name);
-    if (found != own.end() && !effects.any(found->second) && !is_excused(program, name, found->second)) {
-      lines += name + '\n';
-    }
-  }
-  return lines;
-}
-
 }  // namespace effects_test

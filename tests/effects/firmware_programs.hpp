@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <initializer_list>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,9 +37,5 @@ bool is_excused(const Program& program, const std::string& symbol, Effects effec
 
 /// Lines that name the program's symbols of effects that are not among these, by their names (markers.hpp).
 std::string misplaced(const Program& program, Effects effects);
-
-/// Effects by the names of symbols that are theirs alone, as budget::reader_name says.
-using OwnSymbols = std::map<std::string, Effects>;
-std::string misplaced(const Program& program, Effects effects, const OwnSymbols& own);
 
 }  // namespace effects_test

@@ -1,5 +1,4 @@
 // No symbol of an effect is linked into a program for a board whose scene lacks the effect: none whose name says so.
-// That there is none which K5's firmware has with the effect alone is checked where that firmware is built: cost/.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -32,6 +32,8 @@ ln -s "$root" "$scratch/zstrip"
 cd "$scratch"
 bash -euo pipefail commands
 ./main
+missing=$(nm -u zstrip.o | awk '$2 ~ /6zstrip/ { print $2 }')
+[ -z "$missing" ] || { echo "zstrip.o lacks $missing"; exit 1; }
 if [ -z "${ZSTRIP_LONG-}" ]; then exit; fi
 # What zstrip_m3.o lacks is the C library's or the compiler's.
 missing=$(arm-none-eabi-nm -u zstrip_m3.o | awk '{ print $2 }' | grep -vE '^(mem(cpy|move|set|cmp)|__aeabi_.*|__clzsi2|__popcountsi2)$' || true)

@@ -196,7 +196,7 @@ Result<Done> PackageReader::read_all() {
   for (const auto& [path, each] : parts_) undrawn.insert(each.undrawn.begin(), each.undrawn.end());
   const std::string names = fmt::format("{}", fmt::join(undrawn, ", "));
   if (!names.empty()) model_.warnings.push_back("drawn without: " + names);
-  const Result<Done> finished = groups_.finish();
+  Result<Done> finished = groups_.finish();
   if (!finished && !names.empty() && model_.meshes.empty()) {
     return Failure{ExitStatus::input, fmt::format("has no triangles, but {}: export it as a surface", names)};
   }

@@ -176,7 +176,7 @@ Result<Done> Collector::collect() {
       open.emplace_back(node->mChildren[child], transform * affine_of(node->mChildren[child]->mTransformation));
     }
   }
-  const Result<Done> finished = groups_.finish();
+  Result<Done> finished = groups_.finish();
   const double size = std::max({high_.x - low_.x, high_.y - low_.y, high_.z - low_.z, 0.0F});
   if (kCoarsest * rounding_ <= size) return finished;
   if (!finished) {

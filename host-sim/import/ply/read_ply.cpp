@@ -151,7 +151,7 @@ Result<Done> PlyReader::read_vertices(const PlyElement& element) {
   part_.has_colours = colour.has_value();
   Affine linear = turn_;
   for (auto& row : linear.m) row[3] = 0;
-  const Result<Done> done = for_each(element, [&](const Row& row) -> Result<Done> {
+  Result<Done> done = for_each(element, [&](const Row& row) -> Result<Done> {
     part_.positions.push_back(turn_ * Vector{row[place[0]][0], row[place[1]][0], row[place[2]][0]});
     SourceVertex& vertex = part_.vertices.emplace_back();
     if (has_normals) {

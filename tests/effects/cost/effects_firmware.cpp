@@ -1,15 +1,13 @@
 // What K5's firmware takes with and without each effect. `tests/measure effects-firmware` and a test run it; part.hpp
-// has the words; beside them `linked`, the effects whose programs every check needs. The test also looks for symbols
-// that K5 has with an effect alone in all other programs for boards.
+// has the words.
 #include <algorithm>
-#include <iostream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 
-#include "../firmware_programs.hpp"
-#include "firmware_symbols.hpp"
+#include "elf_file.hpp"
 #include "k5.hpp"
 #include "machines.hpp"
 #include "memory_table.hpp"
@@ -52,6 +50,12 @@ fs::path program_of(const fs::path& build, const std::string& machine, Effects e
   return build / machine / ("k5_" + name_of(effects));
 }
 
+std::map<std::string, std::uint32_t> section_bytes(const fs::path& program) {
+  std::map<std::string, std::uint32_t> bytes;
+  for (const budget::Section& section : budget::read_elf(program).sections) bytes[section.name] += section.size;
+  return bytes;
+}
+
 struct Drawn {
   std::string crc32;
   std::uint32_t arena = 0, instructions = 0;
@@ -88,60 +92,6 @@ std::vector<measured::Row> measure(const std::string& effect, const fs::path& bu
     rows.push_back(std::move(row));
   }
   return rows;
-}
-
-/// What K5 has with the effect and not without; what K5 itself has is no other effect's own.
-std::set<std::string> new_symbols(const Comparison& comparison, const fs::path& build) {
-  const auto names = [&](Effects effects) { return symbol_names(program_of(build, kCheckedMachine, effects)); };
-  const std::set<std::string> without = names(comparison.without_it()), k5 = names(kK5);
-  std::set<std::string> result = names(comparison.effects());
-  std::erase_if(result, [&](const std::string& name) {
-    const bool is_of_compiler = name.starts_with("__");
-    return is_of_compiler || without.contains(name) || (!kK5.has(comparison.added) && k5.contains(name));
-  });
-  return result;
-}
-
-const std::vector<effects_test::Program>& firmware() {
-  static const auto programs = effects_test::firmware_programs(ZSTRIP_FIRMWARE_BINARIES);
-  return programs;
-}
-
-/// The effects that programs for boards have: a symbol that is new with several effects may be there for any of them.
-std::vector<Comparison> linked() {
-  std::vector<Comparison> result;
-  std::ranges::copy_if(kComparisons, std::back_inserter(result), [](const Comparison& comparison) {
-    return std::ranges::any_of(firmware(), [&](const auto& program) { return program.effects.has(comparison.added); });
-  });
-  return result;
-}
-
-/// Symbols of the effect in programs whose scenes lack it; and that K5's own would be seen.
-std::string check(const std::string& effect, const fs::path& build) {
-  const Comparison& comparison = comparison_of(effect);
-  effects_test::OwnSymbols own;
-  for (const std::string& name : new_symbols(comparison, build)) {
-    // K5 is not compared without vertex colours and with light, which needs it as well.
-    own[name] = name == "shade_vertices" ? comparison.added | effect::lighting : comparison.added;
-  }
-  // Both are inlined into functions that are there anyway.
-  const bool has_none = comparison.added == effect::lighting || comparison.added == effect::texture_alpha;
-  std::string lines;
-  if (own.empty() != has_none) lines += effect + (has_none ? " has" : " has no") + " symbols of its own\n";
-  const effects_test::Program with{"k5_with", program_of(build, kCheckedMachine, comparison.effects()),
-                                   comparison.without_it()};
-  if (!has_none && misplaced(with, with.effects, own).empty()) lines += effect + ": its symbols are not seen in K5\n";
-  for (const Comparison& other : linked()) {
-    const std::set<std::string> shared = new_symbols(other, build);
-    for (auto& [name, effects] : own) {
-      if (shared.contains(name)) effects = effects | other.added;
-    }
-  }
-  for (const effects_test::Program& program : firmware()) {
-    const std::string found = misplaced(program, program.effects, own);
-    if (!found.empty()) lines += program.name + " has symbols of " + effect + ", which its scene lacks:\n" + found;
-  }
-  return lines;
 }
 
 /// The names of effects that both programs have.
@@ -189,12 +139,7 @@ int main(int count, char** words) {
             return std::set<std::string>{name_of(kK5), name_of(comparison.effects()), name_of(comparison.without_it())};
           },
       .measure = measure,
-      .page = page,
-      .check = check};
+      .page = page};
   for (const Comparison& comparison : kComparisons) part.names.emplace_back(comparison.effect);
-  if (count == 2 && words[1] == std::string_view("linked")) {
-    for (const Comparison& comparison : linked()) std::cout << comparison.effect << '\n';
-    return 0;
-  }
   return run_part(count, words, part);
 }

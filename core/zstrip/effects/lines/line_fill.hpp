@@ -11,6 +11,7 @@
 #include "zstrip/geometry/segment.hpp"
 #include "zstrip/pixels/colour.hpp"
 #include "zstrip/pixels/depth_rule.hpp"
+#include "zstrip/raster/fragment_settings.hpp"
 #include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
