@@ -88,8 +88,8 @@ constexpr void extend(DistanceRange& reach, const DistanceRange& range, const Ca
 }
 
 /// Returns Error::instance if the instance's picture would be more than 2^26 pixels wide, or if its box is so much
-/// larger than the frame's depth range that the range would be one step of w. `orthographic`: the camera's projection;
-/// `lights`: anything may be lit.
+/// larger than the frame's depth range that the range would be one step of w. `view` has pixels. `orthographic`: the
+/// camera's projection; `lights`: anything may be lit.
 template <bool orthographic, bool lights>
 Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,
                         const View& view, const DepthFit& fit);
