@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # without_cmake.sh ROOT: the commands of docs/porting.md that build zstrip without CMake, with the program of
-# docs/program.md as main.cpp: what they make is whole, and draws. They are run as they are with ZSTRIP_LONG. Without, that
-# for a Cortex-M3 gets only the sources that no other processor compiles; the program for the PC shows that all are named,
-# and its sources are compiled as one, without optimisation.
+# docs/program.md as main.cpp: what they make is whole, and draws, and the compilers say nothing. They are run as they are
+# with ZSTRIP_LONG. Without, that for a Cortex-M3 gets only the sources that no other processor compiles; the program for
+# the PC shows that all are named, and its sources are compiled as one, without optimisation.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed"; exit 77; }
@@ -30,7 +30,8 @@ fi
 
 ln -s "$root" "$scratch/zstrip"
 cd "$scratch"
-bash -euo pipefail commands
+bash -euo pipefail commands 2>said || { cat said; exit 1; }
+[ ! -s said ] || { echo "the compilers say to whom includes zstrip:"; cat said; exit 1; }
 ./main
 missing=$(nm -u zstrip.o | awk '$2 ~ /6zstrip/ { print $2 }')
 [ -z "$missing" ] || { echo "zstrip.o lacks $missing"; exit 1; }

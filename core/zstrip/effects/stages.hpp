@@ -26,7 +26,8 @@ template <class... Stages>
 struct StageList {
   static constexpr Effects kEffects = (Stages::kEffects | ...);
 
-  /// Calls visit(stage) for the stages that a renderer with `effects` has.
+  /// Calls visit(stage) for the stages that a renderer with `effects` has. Visitors take stages by reference: by value,
+  /// GCC tells every user on Arm that such parameters were passed differently before GCC 7.
   template <Effects effects, class Visit>
   [[gnu::always_inline]] static void for_each([[maybe_unused]] const Visit& visit) {
     (call<effects, Stages>(visit), ...);

@@ -16,7 +16,7 @@ Status begin_fixed_frame(FrameState& frame, const FrameRequest& request, std::sp
   constexpr auto kProjection = effects.has(effect::orthographic) ? Projection::orthographic : Projection::perspective;
   if (!usable(request.camera) || request.camera.projection != kProjection) return {.error = Error::camera};
   if (const Status status =
-          Stages::until_error<effects>([&](auto stage) { return stage.template check<effects>(request); });
+          Stages::until_error<effects>([&](const auto& stage) { return stage.template check<effects>(request); });
       !status) {
     return status;
   }

@@ -20,7 +20,7 @@ Status check_frame(const FrameRequest& request, std::span<std::byte> arena) {
     return status;
   }
   if (const Status status = check_own_request<effects>(request); !status) return status;
-  return Stages::until_error<effects>([&](auto stage) { return stage.template check<effects>(request); });
+  return Stages::until_error<effects>([&](const auto& stage) { return stage.template check<effects>(request); });
 }
 
 /// `scene`: the scene to draw; its arena is laid out. `counts`: the counts of `scene`.
@@ -29,22 +29,24 @@ Status prepare_frame(FrameState& frame, const Scene& scene, const SceneCounts& c
                      std::span<std::byte> arena) {
   DepthStage::begin<effects>(frame);
   DistanceRange reach = reach_of(scene, request.camera);
-  Stages::for_each<effects>([&](auto stage) { stage.template extend_reach<effects>(frame, scene, request, reach); });
+  Stages::for_each<effects>(
+      [&](const auto& stage) { stage.template extend_reach<effects>(frame, scene, request, reach); });
   const DepthFit fit = fit_to(reach, request.camera);
   if (const Status status = prepare_instances<effects>(frame, scene, counts, request.camera, request.view, fit);
       !status) {
     return status;
   }
   if (const Status status = Stages::until_error<effects>(
-          [&](auto stage) { return stage.template prepare_geometry<effects>(frame, scene, request); });
+          [&](const auto& stage) { return stage.template prepare_geometry<effects>(frame, scene, request); });
       !status) {
     return status;
   }
   DepthStage::change_mapping<effects>(frame, scene, [&](const DepthMapping& mapping) {
-    Stages::for_each<effects>([&](auto stage) { stage.template change_mapping<effects>(frame, scene, mapping); });
+    Stages::for_each<effects>(
+        [&](const auto& stage) { stage.template change_mapping<effects>(frame, scene, mapping); });
   });
   if (const Status status = Stages::until_error<effects>(
-          [&](auto stage) { return stage.template prepare_surfaces<effects>(frame, scene, request); });
+          [&](const auto& stage) { return stage.template prepare_surfaces<effects>(frame, scene, request); });
       !status) {
     return status;
   }
@@ -52,8 +54,8 @@ Status prepare_frame(FrameState& frame, const Scene& scene, const SceneCounts& c
   if (const Status status = MethodStage::begin<effects>(frame, request.called_for, scene, arena); !status)
     return status;
   frame.scene = &scene;
-  if (const Status status =
-          Stages::until_error<effects>([&](auto stage) { return stage.template prepare<effects>(frame, request); });
+  if (const Status status = Stages::until_error<effects>(
+          [&](const auto& stage) { return stage.template prepare<effects>(frame, request); });
       !status) {
     abandon(frame);
     return status;
@@ -72,7 +74,7 @@ Status begin_checked_frame(FrameState& frame, const FrameRequest& request, [[may
   } else {
     Scene drawn = request.scene;
     if (const Status status = Stages::until_error<effects>(
-            [&](auto stage) { return stage.template change_scene<effects>(frame, drawn, request, facing); });
+            [&](const auto& stage) { return stage.template change_scene<effects>(frame, drawn, request, facing); });
         !status) {
       return status;
     }
@@ -81,7 +83,7 @@ Status begin_checked_frame(FrameState& frame, const FrameRequest& request, [[may
     const bool has_begun = frame.scene != nullptr;
     frame.scene = has_begun ? &request.scene : nullptr;
     if (has_begun) {
-      Stages::for_each<effects>([&](auto stage) { stage.template keep_scene<effects>(frame, request); });
+      Stages::for_each<effects>([&](const auto& stage) { stage.template keep_scene<effects>(frame, request); });
     }
     return status;
   }
@@ -89,7 +91,7 @@ Status begin_checked_frame(FrameState& frame, const FrameRequest& request, [[may
 
 template <Effects effects>
 void draw_scene(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
-  Stages::for_each<effects>([&](auto stage) { stage.template draw_surfaces<effects>(frame, target, strip); });
+  Stages::for_each<effects>([&](const auto& stage) { stage.template draw_surfaces<effects>(frame, target, strip); });
   RasterStage::draw_triangles<effects>(frame, target, strip);
 }
 
@@ -107,22 +109,23 @@ template <Effects effects, class Convert>
 Status draw_checked_strip(FrameState& frame, std::uint16_t strip, std::byte* pixels, const Convert& convert) {
   Rect area = frame.plan.strip_area(strip, frame.view);
   bool in_place = drawn_in_place(frame.view.format);
-  Stages::for_each<effects>([&](auto stage) {
+  Stages::for_each<effects>([&](const auto& stage) {
     area = stage.template drawn_area<effects>(frame, area);
     if (stage.template needs_working_strip<effects>(frame)) in_place = false;
   });
   StripImage image{area, in_place ? reinterpret_cast<std::uint16_t*>(pixels) : frame.working_colour, pixels, strip};
   StripTarget target = target_of(frame, area, image.pixels);
   DepthStage::clear<effects>(frame, target, area, image.pixels);
-  Stages::for_each<effects>([&](auto stage) { stage.template draw_background<effects>(frame, area, image.pixels); });
+  Stages::for_each<effects>(
+      [&](const auto& stage) { stage.template draw_background<effects>(frame, area, image.pixels); });
   MethodStage::begin_strip<effects>(frame, target);
   if (!target.area.empty()) draw_scene<effects>(frame, target, strip);
   if (const Status status = Stages::until_error<effects>(
-          [&](auto stage) { return stage.template finish<effects>(frame, target, image); });
+          [&](const auto& stage) { return stage.template finish<effects>(frame, target, image); });
       !status) {
     return status;
   }
-  Stages::for_each<effects>([&](auto stage) { stage.template resolve<effects>(frame, target, image); });
+  Stages::for_each<effects>([&](const auto& stage) { stage.template resolve<effects>(frame, target, image); });
   convert(frame.view.format, static_cast<std::uint16_t>(image.area.width()),
           static_cast<std::uint16_t>(image.area.height()), image.pixels, image.out);
   frame.next_to_last_strip = strip + 1U;
@@ -145,7 +148,7 @@ Status draw_whole_over(FrameState& frame, const Rect& area, std::span<std::uint1
                        std::span<std::uint16_t> depth) {
   if (frame.scene == nullptr) return {.error = Error::not_begun};
   if (const Status status =
-          Stages::until_error<effects>([&](auto stage) { return stage.template check_over<effects>(frame); });
+          Stages::until_error<effects>([&](const auto& stage) { return stage.template check_over<effects>(frame); });
       !status) {
     return status;
   }
