@@ -124,7 +124,8 @@ PipelineStage stage_of(const std::string& source, std::uint64_t executions, cons
     return 2 * executions >= work.vertices ? transform : begin;
   }
   if (is("raster/assemble") || (is("scene/") && !once_a_frame)) return executions > drawn ? cull : setup;
-  if (is("raster/") || is_kernel) return executions <= drawn ? setup : 8 * executions < work.fragments ? spans : pixels;
+  if (is("raster/") || is("pixels/") || is_kernel)
+    return executions <= drawn ? setup : 8 * executions < work.fragments ? spans : pixels;
   return is(kLibrary) ? library : begin;
 }
 

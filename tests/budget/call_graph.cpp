@@ -89,7 +89,8 @@ CallGraph::CallGraph(std::string_view disassembly, const ElfFile& program, const
     if (targets.next && index + 1 < parsed.size()) callees.insert(index + 1);
     if (targets.through_pointer) {
       for (std::size_t other = 0; other < functions_.size(); ++other) {
-        if (stored.contains(functions_[other].address)) callees.insert(other);
+        // C++ forbids taking the address of main: a word with its value is other data.
+        if (functions_[other].name != "main" && stored.contains(functions_[other].address)) callees.insert(other);
       }
     }
     functions_[index].callees.assign(callees.begin(), callees.end());

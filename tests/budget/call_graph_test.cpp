@@ -155,6 +155,19 @@ TEST(Budget, StackBehindPointersIsThatOfAnyFunctionWithAnAddress) {
       0U);
 }
 
+// Regression: a keyframe of a scene had the value of main's address in one program, which seemed to call itself.
+TEST(Budget, ADatumWithTheAddressOfMainIsNoPointerToIt) {
+  std::vector<std::uint32_t> words(64);
+  words[40] = 0x61;
+  const auto called = [&words](const std::string& name) {
+    return reason("00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tblx\tr3\n00000060 <" + name +
+                      ">:\n      60:\tbl\t40 <root>\n",
+                  program_of(words));
+  };
+  EXPECT_EQ(called("main"), "no error");
+  EXPECT_EQ(called("other"), "root calls itself");
+}
+
 TEST(Budget, StackIsComparedWithTheCompilersStatement) {
   CompilerFrames frames;
   add_compiler_frames(frames,
