@@ -63,18 +63,6 @@ const char* program_infix(const BenchCase& bench_case) {
 }
 
 std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs::path& program) {
-  std::string words = fmt::format("enable=on,target=native,arg=workload={},arg=size={}x{},arg=frames={}",
-                                  bench_case.program.empty() ? bench_case.workload : "scene", bench_case.view.width,
-                                  bench_case.view.height, bench_case.frames);
-  if (bench_case.depth != "z16") words += ",arg=depth=" + bench_case.depth;
-  if (bench_case.budget.bytes != 0) words += fmt::format(",arg=ram={}", bench_case.budget.bytes);
-  if (bench_case.budget.strip_buffers != 0) words += fmt::format(",arg=buffers={}", bench_case.budget.strip_buffers);
-  if (bench_case.budget.strip_rows != 0) words += fmt::format(",arg=rows={}", bench_case.budget.strip_rows);
-  if (bench_case.budget.strip_columns != 0) words += fmt::format(",arg=columns={}", bench_case.budget.strip_columns);
-  if (bench_case.in_turns) words += ",arg=order=turns";
-  if (bench_case.view.format != PixelFormat::rgb565) {
-    words += bench_case.view.format == PixelFormat::gray4 ? ",arg=format=gray4" : ",arg=format=mono";
-  }
   const bool is_riscv = bench_case.target == "rv32";
   std::vector<std::string> command{is_riscv ? "qemu-system-riscv32" : "qemu-system-arm",
                                    "-M",
@@ -90,7 +78,7 @@ std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs:
                                    "-serial",
                                    "stdio",
                                    "-semihosting-config",
-                                   words,
+                                   "enable=on,target=native" + board_words(bench_case),
                                    "-kernel",
                                    program.string()};
   if (!bench_case.scene_file.empty()) {
@@ -169,6 +157,23 @@ Failure failure_of(const BenchCase& bench_case, int status, const std::string& l
 }
 
 }  // namespace
+
+std::string board_words(const BenchCase& bench_case) {
+  const bool plays_file = !bench_case.program.empty() && !bench_case.scene_file.empty();
+  std::string words =
+      fmt::format(",arg=workload={},arg=size={}x{},arg=frames={}", plays_file ? "scene" : bench_case.workload,
+                  bench_case.view.width, bench_case.view.height, bench_case.frames);
+  if (bench_case.depth != "z16") words += ",arg=depth=" + bench_case.depth;
+  if (bench_case.budget.bytes != 0) words += fmt::format(",arg=ram={}", bench_case.budget.bytes);
+  if (bench_case.budget.strip_buffers != 0) words += fmt::format(",arg=buffers={}", bench_case.budget.strip_buffers);
+  if (bench_case.budget.strip_rows != 0) words += fmt::format(",arg=rows={}", bench_case.budget.strip_rows);
+  if (bench_case.budget.strip_columns != 0) words += fmt::format(",arg=columns={}", bench_case.budget.strip_columns);
+  if (bench_case.in_turns) words += ",arg=order=turns";
+  if (bench_case.view.format != PixelFormat::rgb565) {
+    words += bench_case.view.format == PixelFormat::gray4 ? ",arg=format=gray4" : ",arg=format=mono";
+  }
+  return words;
+}
 
 std::string board_program_of(const BenchCase& bench_case) {
   if (!bench_case.program.empty()) return bench_case.program;

@@ -17,6 +17,8 @@ Result<std::vector<Measurement>> bench_on_board(const std::vector<BenchCase>& ca
 
 /// Returns the name of the program that draws a case, which is the name of its target in CMake.
 std::string board_program_of(const BenchCase& bench_case);
+/// Returns the words that this program reads, as options of QEMU. A program that plays a file calls it "scene".
+std::string board_words(const BenchCase& bench_case);
 /// Returns the file of this program, in the folder `firmware` as above.
 Result<std::filesystem::path> board_program(const BenchCase& bench_case, const std::string& firmware);
 /// Measures one case, with more options for QEMU. Failures as above.

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "bench/bench_report.hpp"
+#include "bench/board_bench.hpp"
+#include "bench/board_visibility.hpp"
 #include "bench/child_process.hpp"
 #include "bench/elf_size.hpp"
 #include "bench/peers.hpp"
@@ -122,6 +124,18 @@ TEST(BenchReport, AbsentFiguresAreNull) {
   EXPECT_TRUE(object.at("ns_per_frame").is_null());
   EXPECT_TRUE(object.at("instructions_per_frame").is_null());
   EXPECT_EQ(object.at("frame_crc32"), json::array({"0000abcd"}));
+}
+
+// Regression: programs of the visibility methods were asked for the workload "scene", which only those of files have.
+TEST(BoardBench, WordsOfAProgramNameItsWorkload) {
+  for (const BenchCase& bench_case : board_visibility_cases()) {
+    EXPECT_EQ(board_words(bench_case).rfind(",arg=workload=" + bench_case.workload + ",", 0), 0U);
+    EXPECT_NE(board_words(bench_case).find(",arg=depth=" + bench_case.depth), std::string::npos);
+  }
+  BenchCase file{.workload = "my model.glb", .target = "m0", .program = "zstrip_played_m0", .scene_file = "a.zsc"};
+  EXPECT_EQ(board_words(file).rfind(",arg=workload=scene,", 0), 0U);
+  file.program.clear();
+  EXPECT_EQ(board_words(file).rfind(",arg=workload=my model.glb,", 0), 0U);
 }
 
 TEST(BenchCommand, MeasuresEveryWorkload) {
