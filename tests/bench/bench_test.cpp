@@ -132,7 +132,10 @@ TEST(BoardBench, WordsOfAProgramNameItsWorkload) {
     EXPECT_EQ(board_words(bench_case).rfind(",arg=workload=" + bench_case.workload + ",", 0), 0U);
     EXPECT_NE(board_words(bench_case).find(",arg=depth=" + bench_case.depth), std::string::npos);
   }
-  BenchCase file{.workload = "my model.glb", .target = "m0", .program = "zstrip_played_m0", .scene_file = "a.zsc"};
+  BenchCase file;
+  file.workload = "my model.glb";
+  file.scene_file = "a.zsc";
+  file.program = "zstrip_played_m0";
   EXPECT_EQ(board_words(file).rfind(",arg=workload=scene,", 0), 0U);
   file.program.clear();
   EXPECT_EQ(board_words(file).rfind(",arg=workload=my model.glb,", 0), 0U);
