@@ -179,7 +179,8 @@ int main(int count, char** words) {
                   return std::set<std::string>{name_of(cost.with.effects), name_of(cost.without.effects)};
                 },
             .measure = measure,
-            .page = page};
+            .page = page,
+            .check = {}};
   for (const CostOfEffect& cost : kCosts) part.names.emplace_back(cost.effect);
   const std::string_view command = count > 1 ? words[1] : "";
   if (command == "k5") {  // its set of effects, and the number of a drawing of it

@@ -139,7 +139,8 @@ int main(int count, char** words) {
             return std::set<std::string>{name_of(kK5), name_of(comparison.effects()), name_of(comparison.without_it())};
           },
       .measure = measure,
-      .page = page};
+      .page = page,
+      .check = {}};
   for (const Comparison& comparison : kComparisons) part.names.emplace_back(comparison.effect);
   return run_part(count, words, part);
 }

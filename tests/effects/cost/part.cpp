@@ -53,6 +53,7 @@ int compare(const Part& part, const Names& before, const measured::Choice& choic
   for (const std::string& name : choice.rows) {
     std::string lines;
     for (const measured::Row& row : part.measure(name, before[1], {kCheckedMachine})) lines += complaint(table, row);
+    if (part.check) lines += part.check(name, before[1]);
     std::cout << (lines.empty() ? "agrees: " + name + "\n" : lines);
     right = right && lines.empty();
   }

@@ -27,6 +27,8 @@ struct Part {
                                            const Names& machines)>
       measure;
   std::function<std::string(const measured::Table& table)> page;
+  /// Lines that say what else is wrong of programs on kCheckedMachine; empty if nothing is.
+  std::function<std::string(const std::string& effect, const std::filesystem::path& build)> check;
 };
 
 /// `words` of the program:
