@@ -187,17 +187,23 @@ RC_GTEST_PROP(HardCases, D39_SlopeBiasIsTheSteeperSlopeTimesItsFactor, ()) {
   const oracle::Triangle exact(any.corners[0]);
   RC_PRE(exact.area() > 5000);
   const long double code = 65533.0L / (2 * 32768 * (1 + 64 / 4096.0L / (1 << 20)));
-  const auto at = [&](int x, int y) {
-    return static_cast<long double>(exact.value_times_area(x, y, {any.z[0][0], any.z[0][1], any.z[0][2]})) /
-           static_cast<long double>(exact.area()) * code;
+  /// The larger change of a value, given at the corners, from a pixel to the next one aside or below.
+  const auto steepness = [&exact](const std::array<int, 3>& z) {
+    const auto at = [&](int x, int y) {
+      return static_cast<long double>(exact.value_times_area(x, y, {z[0], z[1], z[2]})) /
+             static_cast<long double>(exact.area());
+    };
+    return std::max(std::abs(at(1, 0) - at(0, 0)), std::abs(at(0, 1) - at(0, 0)));
   };
-  const long double steeper = std::max(std::abs(at(1, 0) - at(0, 0)), std::abs(at(0, 1) - at(0, 0)));
+  const long double steeper = steepness(any.z[0]) * code;
   RC_PRE(steeper < 800);
   const int factor = between(-8 * 65536, 8 * 65536), constant = between(-50, 50);
   const long double expected = constant + steeper * factor / 65536;
   const int moved = moved_by(any, {.depth_bias = constant, .depth_slope_bias = factor});
-  // The slope is that of the snapped depths, which differ by up to 1/8 code at a corner.
-  const long double rounding = 0.51L + 0.02L * std::abs(factor) / 65536 + std::abs(expected) * 0.001L;
+  // The slope is that of the snapped depths, which differ by up to 1/8 code at each corner, up or down.
+  const long double snapped =
+      std::max({steepness({1, 1, -1}), steepness({1, -1, 1}), steepness({-1, 1, 1})}) / 8 * std::abs(factor) / 65536;
+  const long double rounding = 0.51L + snapped + std::abs(expected) * 0.001L;
   RC_ASSERT(std::abs(moved - expected) <= rounding);
 }
 
