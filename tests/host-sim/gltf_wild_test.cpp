@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gltf_file.hpp"
+#include "import/quantise.hpp"
 #include "import_fixture.hpp"
 #include "render/stage.hpp"
 
