@@ -81,11 +81,7 @@ RC_GTEST_PROP(HardCases, F59_EveryPixelOfATexturedTriangleIsNearTheExactTexel, (
   for (int y = 0; y < kView.height; ++y) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const auto value = [&](int i, int j) { return exact.value(i, j, at[axis]); };
-      std::array<long double, kView.width> curvature{};
-      for (int x = 0; x < kView.width; ++x) {
-        if (exact.sees(x, y) != oracle::Verdict::inside) continue;
-        curvature.at(static_cast<std::size_t>(x)) = std::abs(value(x + 1, y) - 2 * value(x, y) + value(x - 1, y));
-      }
+      const RowOfCurvature curvature = curvature_along(exact, y, value);
       for (int x = 0; x < kView.width; ++x) {
         if (exact.sees(x, y) != oracle::Verdict::inside) continue;
         const int texel = pixel_at(picture, x, y) - 0x8000;
@@ -93,9 +89,7 @@ RC_GTEST_PROP(HardCases, F59_EveryPixelOfATexturedTriangleIsNearTheExactTexel, (
         const int size = axis == 0 ? 16 : 8, shown = axis == 0 ? texel % 16 : texel / 16;
         // Corners are snapped by up to 1/32 pixel, and between two divisions the coordinate is linear.
         const long double slope = std::abs(value(x + 1, y) - value(x, y)) + std::abs(value(x, y + 1) - value(x, y));
-        const auto first = curvature.begin() + std::max(x - 16, 0);
-        const auto end = curvature.begin() + std::min(x + 17, int{kView.width});
-        const long double limit = 0.02L + slope / 4 + 40 * *std::max_element(first, end);
+        const long double limit = 0.02L + slope / 4 + 40 * largest_near(curvature, x);
         long double wrapped = std::fmod(value(x, y) - shown, static_cast<long double>(size));
         if (wrapped < 0) wrapped += size;
         RC_ASSERT(wrapped <= 1 + limit || wrapped >= size - limit);

@@ -127,32 +127,25 @@ RC_GTEST_PROP(HardCases, C31_AttributesAfterClipping, ()) {
   const oracle::SpaceTriangle exact = space.exact({0, 1, 2}, 0.5L);
   RC_PRE(!exact.degenerate());
   int checked = 0;
+  const auto u = [&](int i, int j) { return 16 * exact.value(i, j, {0, 1, 0}); };
+  const auto v = [&](int i, int j) { return 8 * exact.value(i, j, {0, 0, 1}); };
   for (int y = 0; y < kView.height; ++y) {
+    // Between two divisions the coordinate is linear: off by at most 16 * 16 / 8 of its curvature.
+    const RowOfCurvature curvature_u = curvature_along(exact, y, u), curvature_v = curvature_along(exact, y, v);
     for (int x = 0; x < kView.width; ++x) {
       if (exact.sees(x, y) != oracle::Verdict::inside) continue;
       const std::uint16_t texel = pixel_at(picture, x, y);
       RC_ASSERT(texel >= 0x8000);
       // The texture coordinate that the middle of the pixel has, and how much it changes over a pixel: a span divides
       // every 16 pixels, the corners are snapped by up to 1/32 pixel.
-      const auto u = [&](int i, int j) { return 16 * exact.value(i, j, {0, 1, 0}); };
-      const auto v = [&](int i, int j) { return 8 * exact.value(i, j, {0, 0, 1}); };
       const auto distance_between = [](long double low, long double high, long double at) {
         return at < low ? low - at : at > high ? at - high : 0;
       };
       const long double slope_u = std::abs(u(x + 1, y) - u(x, y)) + std::abs(u(x, y + 1) - u(x, y));
       const long double slope_v = std::abs(v(x + 1, y) - v(x, y)) + std::abs(v(x, y + 1) - v(x, y));
-      // Between two divisions the coordinate is linear: off by at most 16 * 16 / 8 of its curvature.
-      const auto curvature = [&](const auto& coordinate) {
-        long double most = 0;
-        for (int i = x - 16; i <= x + 16; i += 4) {
-          if (exact.sees(i, y) != oracle::Verdict::inside) continue;
-          most = std::max(most, std::abs(coordinate(i + 1, y) - 2 * coordinate(i, y) + coordinate(i - 1, y)));
-        }
-        return most;
-      };
       const int column = (texel - 0x8000) % 16, row = (texel - 0x8000) / 16;
-      RC_ASSERT(distance_between(column, column + 1, u(x, y)) <= 0.1L + slope_u + 40 * curvature(u));
-      RC_ASSERT(distance_between(row, row + 1, v(x, y)) <= 0.1L + slope_v + 40 * curvature(v));
+      RC_ASSERT(distance_between(column, column + 1, u(x, y)) <= 0.1L + slope_u + 40 * largest_near(curvature_u, x));
+      RC_ASSERT(distance_between(row, row + 1, v(x, y)) <= 0.1L + slope_v + 40 * largest_near(curvature_v, x));
       ++checked;
     }
   }

@@ -1,7 +1,10 @@
 // Triangles anywhere in space before the default camera axes, and what the homogeneous oracle says about them.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <sstream>
 #include <string>
@@ -90,5 +93,24 @@ class Space {
     return text.str();
   }
 };
+
+/// Pixels from one division of a span to the next.
+inline constexpr int kSpan = 16;
+/// The curvature of value(x, y) along a row, at each pixel that is surely inside of the triangle, 0 elsewhere; from
+/// kSpan pixels left of the picture to kSpan right of it.
+using RowOfCurvature = std::array<long double, kView.width + 2 * kSpan>;
+template <class Value>
+RowOfCurvature curvature_along(const oracle::SpaceTriangle& exact, int y, const Value& value) {
+  RowOfCurvature row{};
+  for (int x = -kSpan; x < kView.width + kSpan; ++x) {
+    if (exact.sees(x, y) != oracle::Verdict::inside) continue;
+    row.at(static_cast<std::size_t>(x + kSpan)) = std::abs(value(x + 1, y) - 2 * value(x, y) + value(x - 1, y));
+  }
+  return row;
+}
+/// The largest within a span to either side of x.
+inline long double largest_near(const RowOfCurvature& row, int x) {
+  return *std::max_element(row.begin() + x, row.begin() + x + 2 * kSpan + 1);
+}
 
 }  // namespace hard_cases
