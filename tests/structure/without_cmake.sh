@@ -31,7 +31,7 @@ fi
 ln -s "$root" "$scratch/zstrip"
 cd "$scratch"
 bash -euo pipefail commands 2>said || { cat said; exit 1; }
-[ ! -s said ] || { echo "the compilers say to whom includes zstrip:"; cat said; exit 1; }
+[ ! -s said ] || { echo "a compiler prints, for commands that a user types:"; cat said; exit 1; }
 ./main
 missing=$(nm -u zstrip.o | awk '$2 ~ /6zstrip/ { print $2 }')
 [ -z "$missing" ] || { echo "zstrip.o lacks $missing"; exit 1; }
