@@ -81,7 +81,7 @@ RC_GTEST_PROP(HardCases, F59_EveryPixelOfATexturedTriangleIsNearTheExactTexel, (
   for (int y = 0; y < kView.height; ++y) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const auto value = [&](int i, int j) { return exact.value(i, j, at[axis]); };
-      const RowOfCurvature curvature = curvature_along(exact, y, value);
+      const RowOfCurvature curvature = curvature_along(picture, exact, y, value);
       for (int x = 0; x < kView.width; ++x) {
         if (exact.sees(x, y) != oracle::Verdict::inside) continue;
         const int texel = pixel_at(picture, x, y) - 0x8000;

@@ -131,7 +131,8 @@ RC_GTEST_PROP(HardCases, C31_AttributesAfterClipping, ()) {
   const auto v = [&](int i, int j) { return 8 * exact.value(i, j, {0, 0, 1}); };
   for (int y = 0; y < kView.height; ++y) {
     // Between two divisions the coordinate is linear: off by at most 16 * 16 / 8 of its curvature.
-    const RowOfCurvature curvature_u = curvature_along(exact, y, u), curvature_v = curvature_along(exact, y, v);
+    const RowOfCurvature curvature_u = curvature_along(picture, exact, y, u),
+                         curvature_v = curvature_along(picture, exact, y, v);
     for (int x = 0; x < kView.width; ++x) {
       if (exact.sees(x, y) != oracle::Verdict::inside) continue;
       const std::uint16_t texel = pixel_at(picture, x, y);

@@ -96,14 +96,15 @@ class Space {
 
 /// Pixels from one division of a span to the next.
 inline constexpr int kSpan = 16;
-/// The curvature of value(x, y) along a row, at each pixel that is surely inside of the triangle, 0 elsewhere; from
-/// kSpan pixels left of the picture to kSpan right of it.
+/// The curvature of value(x, y) along a row, from kSpan pixels left of the picture to kSpan right of it: at the pixels
+/// of the triangle, which are those that are drawn, and outside of the picture those that the oracle sees; 0 elsewhere.
 using RowOfCurvature = std::array<long double, kView.width + 2 * kSpan>;
 template <class Value>
-RowOfCurvature curvature_along(const oracle::SpaceTriangle& exact, int y, const Value& value) {
+RowOfCurvature curvature_along(const Picture& picture, const oracle::SpaceTriangle& exact, int y, const Value& value) {
   RowOfCurvature row{};
   for (int x = -kSpan; x < kView.width + kSpan; ++x) {
-    if (exact.sees(x, y) != oracle::Verdict::inside) continue;
+    const bool is_in_picture = x >= 0 && x < kView.width;
+    if (is_in_picture ? pixel_at(picture, x, y) == 0 : exact.sees(x, y) != oracle::Verdict::inside) continue;
     row.at(static_cast<std::size_t>(x + kSpan)) = std::abs(value(x + 1, y) - 2 * value(x, y) + value(x - 1, y));
   }
   return row;
