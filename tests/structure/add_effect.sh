@@ -33,6 +33,7 @@ step effects/memory.hpp 's|^#include "zstrip/effects/outlines/effect.hpp"|#inclu
 step effects/memory.hpp 's/\bedges::Effect>/edges::Effect, negative::Effect>/'
 step effects/stages.hpp 's|^#include "zstrip/effects/outlines/|#include "zstrip/effects/negative/negative_stage.hpp"\n&|'
 step effects/stages.hpp 's/\bdithering::Stage>/negative::Stage, dithering::Stage>/'
+step visibility/exclusions.hpp 's/^( *)\{effect::quadrics, method::painter,/\1{effect::negative, method::painter, "nobody has developed it"},\n&/'
 
 # All sources in one. Pipelines of programs that learn the effects at run time are not looked at.
 export copy compiler

@@ -2,16 +2,12 @@
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
-#include "zstrip/visibility/methods.hpp"
 
 namespace zstrip::detail::negative {
 
 struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::negative, "negative", "the scene's negative is asked for"},
-  };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::negative, method::painter, "nobody has developed it"},
   };
 
   static constexpr Effects kNeedMemory = effect::negative;
