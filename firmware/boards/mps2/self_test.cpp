@@ -1,8 +1,9 @@
 // Tests the start-up code and the memory functions on the board itself. A word from the host selects the test: "memory"
 // compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads an address
 // without memory and "overflow" uses up the stack: both must end in a fault report; "return" and "fpu" continue after a
-// fault; "wait" waits for one cycle of the clock; "kernel=" and the name of a contract of tests/kernels compares
-// assembly with its C++. Exit status: 0 passed, 1 a difference, 2 an unknown word.
+// fault; "wait" waits for one cycle of the clock; "kernels" prints the names of the contracts of tests/kernels for
+// which this processor has code of its own, a line each; "kernel=" and such a name compares assembly with its C++. Exit
+// status: 0 passed, 1 a difference, 2 an unknown word.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -179,6 +180,15 @@ int compare_kernel(const zstrip::kernels_test::Contract& contract) {
   return !contract.has_own || outcome.compared >= contract.least ? 0 : 1;
 }
 
+int print_kernels() {
+  for (const zstrip::kernels_test::Contract& contract : zstrip::kernels_test::contracts()) {
+    if (!contract.has_own) continue;
+    print(contract.name.data());
+    print("\n");
+  }
+  return 0;
+}
+
 /// Returns the exit status of main().
 int compare_kernel_named(std::string_view name) {
   for (const zstrip::kernels_test::Contract& contract : zstrip::kernels_test::contracts()) {
@@ -200,8 +210,9 @@ int main() {
   if (word == "fpu"sv) return come_back_to_fpu();
   if (word == "wait"sv) return wait_one_cycle();
   if (word == "overflow"sv) return static_cast<int>(overflow_stack(zeroed)) | 1;
+  if (word == "kernels"sv) return print_kernels();
   constexpr std::string_view kKernel = "kernel="sv;
   if (word.starts_with(kKernel)) return compare_kernel_named(word.substr(kKernel.size()));
-  print("self-test: say memory, fault, return, twice, fpu, wait, overflow or kernel=NAME\n");
+  print("self-test: say memory, fault, return, twice, fpu, wait, overflow, kernels or kernel=NAME\n");
   return 2;
 }
