@@ -5,6 +5,8 @@ set(ZSTRIP_KERNELS_TEST_SOURCES contracts.cpp bilinear_contract.cpp bins_contrac
   span_contract.cpp span_triangle_contract.cpp textured_run_contract.cpp transform_contract.cpp
   triangle_planes_contract.cpp)
 list(TRANSFORM ZSTRIP_KERNELS_TEST_SOURCES PREPEND ${ZSTRIP_KERNELS_TEST}/)
-# Those of the kernels for Helium, which compile quickly.
-set(ZSTRIP_MVE_TEST_SOURCES small_run_contract.cpp textured_run_contract.cpp transform_contract.cpp)
-list(TRANSFORM ZSTRIP_MVE_TEST_SOURCES PREPEND ${ZSTRIP_KERNELS_TEST}/)
+# Those of the kernels for Helium, which compile quickly: kernels/mve/NAME.cpp has NAME_contract.cpp. Their number tells
+# the program that compares them alone whether it names them all.
+file(GLOB ZSTRIP_MVE_TEST_SOURCES CONFIGURE_DEPENDS ${ZSTRIP_KERNELS_TEST}/../../core/zstrip/kernels/mve/*.cpp)
+list(LENGTH ZSTRIP_MVE_TEST_SOURCES ZSTRIP_MVE_KERNELS)
+list(TRANSFORM ZSTRIP_MVE_TEST_SOURCES REPLACE "^.*/([^/]+)\\.cpp$" "${ZSTRIP_KERNELS_TEST}/\\1_contract.cpp")

@@ -1,6 +1,7 @@
 // The contracts of the kernels for Helium, on a board: a part of what its self-test compares, which compiles quickly.
 // Exit status: 0 all are equal; 1 one differs, or compared too little.
 #include <cstdint>
+#include <iterator>
 
 #include "contracts.hpp"
 #include "cortex_m/console.hpp"
@@ -13,8 +14,21 @@ using zstrip::board::print;
 
 static_assert(zstrip::detail::kHasMve, "the compiler's processor has no Helium");
 
-bool is_equal(const char* name, const Outcome& outcome, std::uint32_t least) {
-  print(name);
+struct Compared {
+  const char* name;
+  Outcome (*compare)(std::uint32_t number_of_cases);
+  std::uint32_t cases;
+  std::uint32_t least;  ///< of Outcome::compared
+};
+
+constexpr Compared kContracts[] = {{"transform", compare_transforms, 400, 4'000},
+                                   {"runs", compare_small_runs, 400, 40'000},
+                                   {"texels", compare_textured_runs, 4'000, 3'000}};
+static_assert(std::size(kContracts) == ZSTRIP_MVE_KERNELS, "a kernel for Helium is compared by no contract here");
+
+bool is_equal(const Compared& contract) {
+  const Outcome outcome = contract.compare(contract.cases);
+  print(contract.name);
   print(": ");
   zstrip::board::print_decimal(outcome.compared);
   print(" are equal\n");
@@ -25,14 +39,13 @@ bool is_equal(const char* name, const Outcome& outcome, std::uint32_t least) {
     print(outcome.difference.data());  // a literal
     print(" differs\n");
   }
-  return outcome.difference.empty() && outcome.compared >= least;
+  return outcome.difference.empty() && outcome.compared >= contract.least;
 }
 
 }  // namespace
 
 int main() {
-  const bool equal[] = {is_equal("transform", compare_transforms(400), 4'000),
-                        is_equal("runs", compare_small_runs(400), 40'000),
-                        is_equal("texels", compare_textured_runs(4'000), 3'000)};
-  return equal[0] && equal[1] && equal[2] ? 0 : 1;
+  bool equal = true;
+  for (const Compared& contract : kContracts) equal = is_equal(contract) && equal;
+  return equal ? 0 : 1;
 }
