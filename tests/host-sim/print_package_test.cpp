@@ -158,6 +158,54 @@ TEST_F(PrintPackage, BaseMaterialsColourTrianglesAndObjects) {
   EXPECT_EQ(colours["c"], (Colour{0x44, 0x55, 0x66, 255}));
 }
 
+/// A colour among materials has no name: one was read beyond the end of the names.
+TEST_F(PrintPackage, ColoursAmongMaterialsHadNamesBeyondTheEnd) {
+  const auto second_of = [&](const std::string& group, const std::string& added) {
+    return one_part(group + added + "<object id='2' pid='1' pindex='1'>" + mesh_of() + "</object>",
+                    "<item objectid='2'/>");
+  };
+  const std::string material = "<basematerials id='1'><base name='a' displaycolor='#FF0000'/>";
+  const std::string colour = "<m:colorgroup id='1'><m:color color='#FF0000'/>";
+  const Model mixed = second_of(material, "<m:color color='#00FF00'/></basematerials>");
+  EXPECT_EQ(mixed.materials[0].colour, (Colour{255, 255, 255, 255})) << "the group has one material";
+  EXPECT_EQ(mixed.material_names[0], "");
+  for (const char* other : {"<base name='b' displaycolor='#00FF00'/></m:colorgroup>",
+                            "<m:tex2coord u='0' v='0'/></m:colorgroup>", "</m:colorgroup><m:color color='#00FF00'/>"}) {
+    const Model coloured = second_of(colour, other);
+    for (const Colour& c : coloured.meshes[0].colours) EXPECT_EQ(c, (Colour{255, 255, 255, 255})) << other;
+  }
+  const Model closed = second_of("<m:colorgroup id='1'/>", "<m:color color='#FF0000'/><m:color color='#00FF00'/>");
+  for (const Colour& c : closed.meshes[0].colours) EXPECT_EQ(c, (Colour{255, 255, 255, 255}));
+}
+
+/// The second object's corners were those of the first one.
+TEST_F(PrintPackage, ResourcesOfOneIdWereMixed) {
+  const std::string object = "<object id='2'>" + mesh_of() + "</object>", built = "<item objectid='2'/>";
+  const std::string group = "<m:colorgroup id='1'><m:color color='#FF0000'/></m:colorgroup>";
+  const std::string texture = "<m:texture2d id='1' path='/t.png'/>";
+  for (const auto& [resources, words] : std::vector<std::pair<std::string, std::string>>{
+           {object + object, "two of its objects have the id 2"},
+           {"<object>" + mesh_of() + "</object><object>" + mesh_of() + "</object>", "two of its objects have no id"},
+           {group + group + object, "two of its property groups have the id 1"},
+           {group + "<basematerials id='1'/>" + object, "two of its property groups have the id 1"},
+           {texture + texture + object, "two of its textures have the id 1"}}) {
+    const std::string said = failure(file("bad.3mf", zip_of({{"3D/3dmodel.model", part_of(resources, built)}}, true)));
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  }
+  EXPECT_TRUE(
+      one_part(group + texture + "<object id='1'>" + mesh_of() + "</object>", "<item objectid='1'/>").warnings.empty())
+      << "resources of different kinds are told apart";
+}
+
+TEST_F(PrintPackage, GroupsWithoutAnIdColouredAllTriangles) {
+  const std::string object = "<object id='2'>" + mesh_of() + "</object>", built = "<item objectid='2'/>";
+  const Model plain = one_part(object, built);
+  const Model with_group =
+      one_part("<basematerials><base name='a' displaycolor='#FF0000'/></basematerials>" + object, built);
+  EXPECT_EQ(with_group.materials[0].colour, plain.materials[0].colour);
+  EXPECT_EQ(with_group.material_names, plain.material_names);
+}
+
 TEST_F(PrintPackage, TexturesLieInThePackage) {
   png("t.png", 4, 4, 0xF800);
   const Model textured =
@@ -238,6 +286,17 @@ TEST(ZipArchives, DoNotUnpackMoreThanTheirSizeMay) {
   Result<ZipArchive> archive = ZipArchive::open(bomb);
   ASSERT_TRUE(archive);
   EXPECT_EQ(archive->read("a").failure().message, "it unpacks to more than a file of its size may");
+}
+
+/// Files that the list calls empty were unpacked as often as it named them.
+TEST(ZipArchives, StoredFilesWereOutsideOfTheBudget) {
+  std::string archived = zip_of({{"a", "aaaa"}}, false);
+  archived.replace(archived.find("PK\1\2") + 24, 4, number(0, 4));
+  Result<ZipArchive> archive = ZipArchive::open(archived);
+  ASSERT_TRUE(archive);
+  const Result<std::string> read = archive->read("a");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.failure().message, "a file in it that is not packed has two sizes");
 }
 
 TEST(XmlTagsOfAText, EndWhereItIsNoXml) {

@@ -1,11 +1,14 @@
 // The parts of a 3MF package that are drawn: objects, their colours, and where they are built.
 #include "import/3mf/package.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -79,25 +82,54 @@ std::array<std::uint8_t, 4> colour_of(const XmlTag& tag, std::string_view key) {
 /// Fills a part, tag by tag.
 class PartReader {
  public:
-  void read(const XmlTag& tag);
-  bool is_too_large() const { return triangles_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles; }
+  void read(const XmlTag& tag) {
+    if (tag.begins) begin(tag);
+    if (tag.ends) end(tag.name);
+  }
+  /// Returns the reason why the part cannot be read; empty if there is none.
+  std::string fault() const;
   PrintPart& part() { return part_; }
 
  private:
+  void begin(const XmlTag& tag);
+  void end(std::string_view name);
+  /// Returns the new resource of an id, or keeps the fault that the id has one already.
+  template <class Resource>
+  Resource& add(std::map<std::uint32_t, Resource>& resources, const XmlTag& tag, const char* kind);
+  /// True inside of a group of this kind.
+  bool is_in(PrintGroupKind kind) const { return group_ != nullptr && group_->kind == kind; }
   void begin_object(const XmlTag& tag);
   void add_triangle(const XmlTag& tag);
   void add_use(const XmlTag& tag, std::vector<PrintUse>& to) const;
   void begin_group(const XmlTag& tag, PrintGroupKind kind);
 
   PrintPart part_;
-  PrintObject* object_ = nullptr;
+  std::string repeated_;           ///< the fault of a repeated id
+  PrintObject* object_ = nullptr;  ///< the element that is open, as for the group
   PrintGroup* group_ = nullptr;
   std::uint32_t of_object_ = kNoProperty, index_of_object_ = 0;
   std::uint64_t vertices_ = 0, triangles_ = 0;
 };
 
+std::string PartReader::fault() const {
+  if (triangles_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles) {
+    return "it has too many triangles; simplify the model";
+  }
+  return repeated_;
+}
+
+template <class Resource>
+Resource& PartReader::add(std::map<std::uint32_t, Resource>& resources, const XmlTag& tag, const char* kind) {
+  const std::uint32_t id = index_of(tag, "id");
+  const auto [at, is_new] = resources.try_emplace(id);
+  if (!is_new) {
+    repeated_ = fmt::format("two of its {} have {}", kind, id == kNoProperty ? "no id" : fmt::format("the id {}", id));
+  }
+  return at->second;
+}
+
 void PartReader::begin_object(const XmlTag& tag) {
-  object_ = &part_.objects[index_of(tag, "id")];
+  object_ = &add(part_.objects, tag, "objects");
   of_object_ = index_of(tag, "pid");
   index_of_object_ = index_of(tag, "pindex", 0);
 }
@@ -120,16 +152,19 @@ void PartReader::add_use(const XmlTag& tag, std::vector<PrintUse>& to) const {
 }
 
 void PartReader::begin_group(const XmlTag& tag, PrintGroupKind kind) {
-  group_ = &part_.groups[index_of(tag, "id")];
+  group_ = nullptr;
+  if (index_of(tag, "id") == kNoProperty) return;  // triangles without a group would find it
+  group_ = &add(part_.groups, tag, "property groups");
   group_->kind = kind;
   group_->texture = index_of(tag, "texid");
 }
 
-void PartReader::read(const XmlTag& tag) {
-  if (!tag.begins) {
-    if (tag.name == "object") object_ = nullptr;
-    return;
-  }
+void PartReader::end(std::string_view name) {
+  if (name == "object") object_ = nullptr;
+  if (name == "basematerials" || name == "colorgroup" || name == "texture2dgroup") group_ = nullptr;
+}
+
+void PartReader::begin(const XmlTag& tag) {
   if (tag.name == "object") {
     begin_object(tag);
   } else if (tag.name == "vertex" && object_ != nullptr) {
@@ -147,15 +182,15 @@ void PartReader::read(const XmlTag& tag) {
     begin_group(tag, PrintGroupKind::colours);
   } else if (tag.name == "texture2dgroup") {
     begin_group(tag, PrintGroupKind::texture);
-  } else if (tag.name == "base" && group_ != nullptr) {
+  } else if (tag.name == "base" && is_in(PrintGroupKind::materials)) {
     group_->names.push_back(tag.value("name"));
     group_->colours.push_back(colour_of(tag, "displaycolor"));
-  } else if (tag.name == "color" && group_ != nullptr) {
+  } else if (tag.name == "color" && is_in(PrintGroupKind::colours)) {
     group_->colours.push_back(colour_of(tag, "color"));
-  } else if (tag.name == "tex2coord" && group_ != nullptr) {
+  } else if (tag.name == "tex2coord" && is_in(PrintGroupKind::texture)) {
     group_->texcoords.push_back({number_of(tag, "u"), number_of(tag, "v")});
   } else if (tag.name == "texture2d") {
-    part_.textures[index_of(tag, "id")] = tag.value("path");
+    if (index_of(tag, "id") != kNoProperty) add(part_.textures, tag, "textures") = tag.value("path");
   } else if (const auto* const found = std::ranges::find(kUndrawn, tag.name, &decltype(kUndrawn)::value_type::first);
              found != kUndrawn.end()) {
     part_.undrawn.emplace(found->second);
@@ -171,7 +206,7 @@ Result<PrintPart> read_print_part(std::string_view xml) {
   while (const std::optional<XmlTag> tag = tags.next()) {
     if (tag->name == "model") is_model = true;
     reader.read(*tag);
-    if (reader.is_too_large()) return Failure{ExitStatus::input, "it has too many triangles; simplify the model"};
+    if (std::string fault = reader.fault(); !fault.empty()) return Failure{ExitStatus::input, std::move(fault)};
   }
   if (!is_model) return Failure{ExitStatus::input, "a part of it is not a 3MF model"};
   return std::move(reader.part());

@@ -42,7 +42,7 @@ enum class PrintGroupKind : std::uint8_t { materials, colours, texture };
 /// Properties that triangles refer to by index.
 struct PrintGroup {
   PrintGroupKind kind = PrintGroupKind::colours;
-  std::vector<std::string> names;                    ///< of materials
+  std::vector<std::string> names;                    ///< of materials, as many as colours
   std::vector<std::array<std::uint8_t, 4>> colours;  ///< of materials and colours
   std::vector<std::array<double, 2>> texcoords;      ///< of a texture; v grows upwards
   std::uint32_t texture = kNoProperty;               ///< in PrintPart::textures
@@ -57,7 +57,8 @@ struct PrintPart {
   std::set<std::string> undrawn;  ///< names of what it has besides
 };
 
-/// Reads the text of a .model file. The failure's message is a reason.
+/// Reads the text of a .model file. Properties stand in groups of their kind, and resources of a kind have different
+/// ids; groups and textures without an id are left out. The failure's message is a reason.
 Result<PrintPart> read_print_part(std::string_view xml);
 
 }  // namespace zstrip::sim

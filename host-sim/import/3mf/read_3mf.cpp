@@ -112,9 +112,10 @@ std::uint32_t PackageReader::material_of(const std::string& path, const PrintPar
   if (!is_new) return at->second;
   SourceMaterial material;
   if (group == nullptr) material.colour = kDefaultColour;
-  if (is_base && triangle.properties[0] < group->colours.size()) {
-    const auto& [r, g, b, a] = group->colours[triangle.properties[0]];
-    material.name = group->names[triangle.properties[0]];
+  const std::size_t base = triangle.properties[0];
+  if (is_base && base < group->colours.size() && base < group->names.size()) {
+    const auto& [r, g, b, a] = group->colours[base];
+    material.name = group->names[base];
     material.colour = {r, g, b};
   }
   if (group != nullptr && group->kind == PrintGroupKind::texture) material.texture = texture_of(part, *group);

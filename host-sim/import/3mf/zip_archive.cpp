@@ -113,6 +113,10 @@ Result<std::string> ZipArchive::read(std::string_view name) {
   if (entry.unpacked > left_ || entry.unpacked > std::numeric_limits<uInt>::max()) {
     return damaged("it unpacks to more than a file of its size may");
   }
+  // The sum that is limited is that of the unpacked sizes.
+  if (entry.method == kStored && entry.packed != entry.unpacked) {
+    return damaged("a file in it that is not packed has two sizes");
+  }
   left_ -= entry.unpacked;
   const std::string_view packed = bytes_.substr(begin, entry.packed);
   if (entry.method == kStored) return std::string(packed);
