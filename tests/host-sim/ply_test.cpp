@@ -161,6 +161,60 @@ TEST_F(Ply, EdgesAreLinesAndVerticesAlonePoints) {
   EXPECT_EQ(points.segments[0].size(), 3U);
 }
 
+/// Faces with colours of their own copy vertices: the number of a missing vertex was that of the first copy.
+TEST_F(Ply, MissingVerticesWereCopiesOfOthers) {
+  const std::string faces = "element vertex 3\n" + kPlace + "element face 2\n" + kFace + kRgb;
+  const std::string three = "0 0 0\n1 0 0\n0 1 0\n", left_out = "1 triangle left out: with vertices that do not exist";
+  const std::string colours = three + "3 2 1 0 255 0 0\n", last = "3 0 1 99 0 255 0\n";
+  const Model one = ply(faces, colours + last);
+  EXPECT_EQ(triangle_count(one), 1U);
+  EXPECT_EQ(one.warnings, std::vector{left_out});
+
+  const Model rest = ply(faces, colours + "4 0 1 2 99 0 0 255\n");
+  EXPECT_EQ(triangle_count(rest), 2U);
+  EXPECT_EQ(rest.warnings, std::vector{left_out});
+  std::set<std::array<int, 3>> seen;
+  for (const Mesh& mesh : rest.meshes) {
+    for (const Colour& c : mesh.colours) seen.insert({c.r, c.g, c.b});
+  }
+  EXPECT_EQ(seen, (std::set<std::array<int, 3>>{{255, 0, 0}, {0, 0, 255}})) << "what is left of a face has its colour";
+
+  const Model strip = ply(faces + "element tristrips 1\nproperty list int int vertex_indices\n",
+                          colours + "3 2 1 0 255 0 0\n3 0 1 99\n");
+  EXPECT_EQ(triangle_count(strip), 2U);
+  EXPECT_EQ(strip.warnings, std::vector{left_out});
+
+  const Model edge = ply(faces + "element edge 2\nproperty int vertex1\nproperty int vertex2\n",
+                         colours + "3 2 1 0 255 0 0\n0 1\n0 99\n");
+  ASSERT_EQ(edge.segments.size(), 1U);
+  EXPECT_EQ(edge.segments[0].size(), 1U);
+  EXPECT_EQ(edge.warnings.size(), 1U);
+}
+
+TEST_F(Ply, ElementsBeforeTheVerticesWereLost) {
+  const std::string vertices = "element vertex 4\n" + kPlace, faces = "element face 2\n" + kFace + kRgb;
+  const std::string edges = "element edge 1\nproperty int vertex1\nproperty int vertex2\n";
+  const std::string coloured = "3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n", edge = "1 3\n";
+  const Model expected = ply(vertices + faces + edges, kSquare + coloured + edge);
+  const std::string other = "element other 1\nproperty list char short l\n";
+  for (const auto& [elements, values] : std::vector<std::pair<std::string, std::string>>{
+           {faces + vertices + edges, coloured + kSquare + edge},
+           {edges + vertices + faces, edge + kSquare + coloured},
+           {faces + other + edges + vertices, coloured + "2 5 6\n" + edge + kSquare}}) {
+    const Model read = ply(elements, values);
+    EXPECT_EQ(triangles(read), triangles(expected)) << elements;
+    ASSERT_EQ(read.segments.size(), 1U) << elements;
+    ASSERT_EQ(read.segments[0].size(), 1U) << elements;
+    EXPECT_EQ(read.segments[0][0].a, expected.segments[0][0].a) << elements;
+    EXPECT_EQ(read.segments[0][0].b, expected.segments[0][0].b) << elements;
+    EXPECT_TRUE(read.warnings.empty()) << elements;
+  }
+  EXPECT_NE(failure(file("bad.ply", text_of(faces + vertices, coloured + "0 0 0\n1 0 0\n1 1 0\n0 100")))
+                .find("ends in its elements 'vertex'"),
+            std::string::npos);
+  EXPECT_NE(failure(file("bad.ply", text_of(faces, coloured))).find("has no vertices"), std::string::npos);
+}
+
 /// Damaged headers took 20 seconds of processor each, until the guard stopped them.
 TEST_F(Ply, DamageIsRefusedForWhatItIs) {
   const std::string vertices = "element vertex 3\n" + kPlace, faces = "element face 1\n" + kFace;

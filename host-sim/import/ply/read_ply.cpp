@@ -77,7 +77,11 @@ struct ColourPlace {
   }
 };
 
-/// The elements of a file, one after the other, as parts of a model.
+/// Stands for a vertex that does not exist; never the number of a vertex, nor of a copy.
+constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
+static_assert(3 * kMaxTriangles < kNoVertex);
+
+/// The elements of a file as parts of a model.
 class PlyReader {
  public:
   PlyReader(std::string_view data, const PlyHeader& header, const Affine& turn)
@@ -90,6 +94,8 @@ class PlyReader {
   /// Calls visit(row) for each element; the visit fails with a failure.
   template <class Visit>
   Result<Done> for_each(const PlyElement& element, const Visit& visit);
+  /// Reads past rows that are not drawn.
+  Result<Done> skip(const PlyElement& element);
   Result<Done> read_vertices(const PlyElement& element);
   Result<Done> read_faces(const PlyElement& element);
   Result<Done> read_strips(const PlyElement& element);
@@ -97,10 +103,10 @@ class PlyReader {
   Result<Done> add_face(std::span<const double> corners, std::span<const double> texcoords,
                         const std::optional<std::array<std::uint8_t, 4>>& colour);
   void add_triangle(const std::array<double, 3>& corners);
-  /// Returns the vertex of a number; the number of vertices if there is none.
+  /// Returns the vertex of a number; kNoVertex if there is none.
   std::uint32_t to_vertex(double number) const {
-    const auto count = static_cast<double>(vertices_);
-    return static_cast<std::uint32_t>(number >= 0 && number < count ? number : count);
+    const bool exists = number >= 0 && number < static_cast<double>(vertices_);
+    return exists ? static_cast<std::uint32_t>(number) : kNoVertex;
   }
   /// Returns a copy of the vertex, with these values of its own.
   std::uint32_t copy_of(std::uint32_t vertex, const std::optional<std::array<std::uint8_t, 4>>& colour,
@@ -110,7 +116,7 @@ class PlyReader {
   const PlyHeader& header_;
   Affine turn_;
   SourcePrimitive part_;
-  std::size_t vertices_ = 0;  ///< of the element `vertex`; copies follow them
+  std::size_t vertices_ = 0;  ///< of the element `vertex`; copies with colours of faces follow them
   std::size_t faces_ = 0, too_large_ = 0;
   bool has_texcoords_ = false;
 };
@@ -130,6 +136,10 @@ Result<Done> PlyReader::for_each(const PlyElement& element, const Visit& visit) 
     if (const Result<Done> done = visit(row); !done) return done.failure();
   }
   return Done{};
+}
+
+Result<Done> PlyReader::skip(const PlyElement& element) {
+  return for_each(element, [](const Row&) -> Result<Done> { return Done{}; });
 }
 
 Result<Done> PlyReader::read_vertices(const PlyElement& element) {
@@ -195,10 +205,11 @@ Result<Done> PlyReader::add_face(std::span<const double> corners, std::span<cons
   }
   std::vector<std::uint32_t> face;
   for (const double corner : corners) face.push_back(to_vertex(corner));
-  const bool exist = std::ranges::all_of(face, [&](std::uint32_t vertex) { return vertex < vertices_; });
+  const bool exist = std::ranges::find(face, kNoVertex) == face.end();
   const bool has_own = texcoords.size() >= 2 * corners.size() && !corners.empty();
-  if (exist && (colour || has_own)) {
+  if (colour || has_own) {
     for (std::size_t i = 0; i < face.size(); ++i) {
+      if (face[i] == kNoVertex) continue;
       std::optional<std::array<float, 2>> own;
       if (has_own && std::isfinite(texcoords[2 * i]) && std::isfinite(texcoords[2 * i + 1])) {
         own = {static_cast<float>(texcoords[2 * i]) + 0.0F, static_cast<float>(1 - texcoords[2 * i + 1]) + 0.0F};
@@ -280,12 +291,20 @@ Result<Done> PlyReader::read_edges(const PlyElement& element) {
 }
 
 Result<Done> PlyReader::read_all() {
-  bool has_vertices = false;
-  for (const PlyElement& element : header_.elements) {
+  const auto vertices = std::ranges::find(header_.elements, "vertex", &PlyElement::name);
+  if (vertices == header_.elements.end()) return unreadable_model("it has no vertices");
+  // Faces refer to vertices: elements in front of these are read after them, from the file's begin.
+  const PlyValues begin = values_;
+  for (auto before = header_.elements.begin(); before != vertices; ++before) {
+    if (const Result<Done> skipped = skip(*before); !skipped) return skipped.failure();
+  }
+  if (const Result<Done> read = read_vertices(*vertices); !read) return read.failure();
+  const PlyValues behind_vertices = std::exchange(values_, begin);
+  for (auto at = header_.elements.begin(); at != header_.elements.end(); ++at) {
+    const PlyElement& element = *at;
     Result<Done> done = Done{};
-    if (element.name == "vertex" && !has_vertices) {
-      done = read_vertices(element);
-      has_vertices = true;
+    if (at == vertices) {
+      values_ = behind_vertices;
     } else if (element.name == "face") {
       done = read_faces(element);
     } else if (element.name == "tristrips") {
@@ -293,7 +312,7 @@ Result<Done> PlyReader::read_all() {
     } else if (element.name == "edge") {
       done = read_edges(element);
     } else {
-      done = for_each(element, [](const Row&) -> Result<Done> { return Done{}; });
+      done = skip(element);
     }
     if (!done) return done.failure();
   }
