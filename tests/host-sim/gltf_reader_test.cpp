@@ -226,6 +226,8 @@ TEST_F(GltfReader, DamageIsNamed) {
            {R"("count":3)", R"("count":4)", "accessor 0 reaches beyond its buffer view"},
            {R"("count":3)", R"("count":3,"byteOffset":18446744073709551615)", "accessor 0 reaches beyond"},
            {R"("count":3)", R"("count":4000000000)", "accessor 0 has too many elements"},
+           {R"("bufferView":0,"componentType":5126,"count":3)", R"("componentType":5126,"count":1333334)",
+            "accessor 0 has too many elements without a buffer view"},
            {R"("componentType":5126)", R"("componentType":5124)", "accessor 0 is missing or damaged"},
            {R"("type":"VEC3")", R"("type":"VEC2")", "accessor 0 does not fit POSITION"},
            {R"("bufferView":0)", R"("bufferView":7)", "there is no buffer view 7"},

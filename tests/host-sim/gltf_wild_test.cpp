@@ -1,5 +1,6 @@
 // glTF 2.0 as other programs write it: hidden nodes, copies, nodes without size, places far away, odd URIs.
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,25 @@ TEST_F(GltfWild, CopiesOfDifferentNumbersAreRefused) {
                                            data)))
                 .find("SCALE of EXT_mesh_gpu_instancing does not fit"),
             std::string::npos);
+}
+
+/// Gigabytes of places were written before the first copy was drawn.
+TEST_F(GltfWild, MoreCopiesThanTrianglesAreRefused) {
+  constexpr std::size_t kCopies = 10'000'001;
+  const GltfData data = square_and();
+  std::string content =
+      file_of(R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"SCALE":2}}}})", data);
+  const auto insert = [&](const std::string& before, const std::string& member) {
+    content.insert(content.find(before), "," + member);
+  };
+  const std::string bytes = std::to_string(3 * kCopies);
+  insert(R"(],"bufferViews")",
+         R"({"bufferView":2,"componentType":5120,"count":)" + std::to_string(kCopies) + R"(,"type":"VEC3"})");
+  insert(R"(],"buffers")", R"({"buffer":1,"byteLength":)" + bytes + "}");
+  content.insert(content.rfind(']'), R"(,{"byteLength":)" + bytes + R"(,"uri":"scales.bin"})");
+  std::filesystem::resize_file(file("scales.bin", ""), 3 * kCopies);
+  const std::string said = failure(file("c.gltf", content));
+  EXPECT_NE(said.find("EXT_mesh_gpu_instancing has more than 10,000,000 copies"), std::string::npos) << said;
 }
 
 TEST_F(GltfWild, LinesOfADataUriMayBreak) {

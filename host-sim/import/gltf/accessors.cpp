@@ -16,6 +16,8 @@ namespace {
 
 /// Larger than any model's number of vertices: a small file must not request gigabytes.
 constexpr std::size_t kMaxElements = 30'000'000;
+/// Zeros of an accessor without a buffer view, which take no bytes of the file.
+constexpr std::size_t kMaxZeros = 4'000'000;
 
 enum class Component : std::size_t {
   byte = 5120,
@@ -186,6 +188,9 @@ Result<GltfValues<Number>> GltfAccessors::read(std::size_t accessor) {
   GltfValues<Number> values{.components = shape->columns * shape->rows, .numbers = {}};
   // Without a view all elements are zero.
   if (member(from, "bufferView").is_null()) {
+    if (count > kMaxZeros / values.components) {
+      return gltf_damaged(fmt::format("{} has too many elements without a buffer view", name));
+    }
     values.numbers.resize(count * values.components);
   } else {
     if (const Result<Done> placed = place(buffers_, from, count, name, layout); !placed) return placed.failure();

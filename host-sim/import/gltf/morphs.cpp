@@ -63,13 +63,17 @@ Result<Done> GltfMorphs::add(std::size_t node, std::vector<Curve<Weight>> curves
       if (rest_.size() >= 0xFFFF) return gltf_damaged("animations change more than 65,535 weights of morph targets");
       moved_[{node, target}] = static_cast<std::uint32_t>(rest_.size());
       rest_.push_back(rest);
+      places_.push_back(0);
     }
     const std::uint32_t weight = moved_[{node, target}];
-    const auto same = std::ranges::find(animation.weights, weight, &WeightCurve::weight);
-    if (same == animation.weights.end()) {
-      animation.weights.push_back({weight, std::move(curves[target])});
+    // An earlier channel of this animation may have the same weight. A place that another animation left has another
+    // weight here, or none.
+    std::size_t& at = places_[weight];
+    if (at < animation.weights.size() && animation.weights[at].weight == weight) {
+      animation.weights[at].curve = std::move(curves[target]);
     } else {
-      same->curve = std::move(curves[target]);
+      at = animation.weights.size();
+      animation.weights.push_back({weight, std::move(curves[target])});
     }
   }
   return Done{};

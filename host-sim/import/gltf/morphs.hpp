@@ -26,8 +26,8 @@ class GltfMorphs {
   /// Returns the weight in the file of a target of the mesh on a node.
   double at_rest(std::size_t node, std::size_t target) const;
 
-  /// Adds the curves of a node's targets, one each, to an animation. Curves that never leave the weight at rest are
-  /// left out. Fails above 65,535 weights; the message is a reason.
+  /// Adds the curves of a node's targets, one each, to an animation, which is complete before the next one begins.
+  /// Curves that never leave the weight at rest are left out. Fails above 65,535 weights; the message is a reason.
   Result<Done> add(std::size_t node, std::vector<Curve<Weight>> curves, NodeAnimation& animation);
   /// Sets `model.weights`, and makes the curves of its animations relative to the weights at rest. Call it once, after
   /// all animations are read.
@@ -47,6 +47,7 @@ class GltfMorphs {
   const GltfJson& json_;
   std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> moved_;  ///< by node and target
   std::vector<double> rest_, scale_;                                    ///< of each weight
+  std::vector<std::size_t> places_;  ///< of each weight, in the animation that had it last
 };
 
 }  // namespace zstrip::sim

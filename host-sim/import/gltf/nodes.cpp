@@ -136,9 +136,9 @@ std::optional<std::size_t> GltfNodes::node_in_a_circle() const {
 }
 
 void GltfNodes::set_moved(const std::map<std::size_t, Vector>& moved, const Affine& turn, SourceModel& model) {
-  for (const auto& [node, largest] : moved) {
-    if (enlarge(nodes_[node], largest)) place_all(turn);
-  }
+  bool larger = false;
+  for (const auto& [node, largest] : moved) larger = enlarge(nodes_[node], largest) || larger;
+  if (larger) place_all(turn);
   /// The data of a node before it is visited.
   struct Open {
     std::size_t node;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "import/gltf/document.hpp"
+#include "import/read_model.hpp"
 #include "import/screen_channel.hpp"
 #include "text/number.hpp"
 
@@ -175,6 +176,9 @@ Result<std::vector<Affine>> GltfPrimitives::copies_on(const GltfJson& node) {
       return gltf_damaged(fmt::format("{} of EXT_mesh_gpu_instancing does not fit", key));
     }
     count = values->count();
+    if (*count > kMaxTriangles) {
+      return gltf_damaged(fmt::format("EXT_mesh_gpu_instancing has more than {} copies", grouped(kMaxTriangles)));
+    }
     return values;
   };
   const Result<GltfValues<float>> moves = read("TRANSLATION", 3);
@@ -184,6 +188,7 @@ Result<std::vector<Affine>> GltfPrimitives::copies_on(const GltfJson& node) {
   const Result<GltfValues<float>> scales = read("SCALE", 3);
   if (!scales) return scales.failure();
   std::vector<Affine> copies;
+  copies.reserve(count.value_or(1));
   for (std::size_t i = 0; i < count.value_or(1); ++i) {
     Placement placement;
     for (std::size_t c = 0; c < 3; ++c) {

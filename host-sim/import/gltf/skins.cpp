@@ -182,9 +182,10 @@ Result<SkinnedPrimitive> GltfSkins::read(const GltfAttributes& primitive, std::s
     if (has_inverse(first)) read.modelled = first;
     const std::vector<SourceJoint> before = model_.joints;
     std::vector<std::size_t> joints(binds->nodes.size(), kNoSourceJoint);
+    // A skin with too many joints is drawn at rest: its other joints are not compared with all before them.
     for (const std::vector<Influence>& each : *influences) {
       for (const auto& [bind, weight] : each) {
-        if (joints[bind] != kNoSourceJoint) continue;
+        if (joints[bind] != kNoSourceJoint || model_.joints.size() > kMaxJoints) continue;
         joints[bind] = joint_with(binds->nodes[bind], binds->inverse_binds[bind], read.modelled);
       }
     }
