@@ -72,12 +72,19 @@ class SecondCore {
     const StripAreas areas(layout, display.width(), display.height());
     Error error = start == Start::refused ? Error::second_core : refuse(areas, display.format(), buffers);
     // After start() the second core may begin the frame while this one draws; without it, wait until its requests are
-    // done.
-    if (error == Error::none && start == Start::none && !wait_until_done(clock)) error = Error::second_core;
+    // done: a status that they leave is that of an earlier frame.
+    if (error == Error::none && start == Start::none) {
+      if (wait_until_done(clock)) {
+        begun_ = {};
+      } else {
+        error = Error::second_core;
+      }
+    }
     if (error == Error::none) error = display.begin_frame();
     if (error != Error::none) {
-      if (start == Start::asked && !wait_until_done(clock)) error = Error::second_core;
-      return {{}, error};
+      if (start != Start::asked) return {{}, error};
+      if (!wait_until_done(clock)) return {{}, Error::second_core};
+      return {std::exchange(begun_, {}), error};
     }
 
     strips_.open(display, areas, layout.count, buffers);
@@ -155,12 +162,13 @@ class SecondCore {
 
 /// Draws and sends a frame with two cores. `renderer` is the first core's. Both renderers have begun the same frame,
 /// with the same plan; the second one may still be doing so, by SecondCore::start(), and its error is then returned as
-/// one of drawing. Strips are written in order, by either core: both cores call functions of `display` between
-/// begin_frame and end_frame, but never at the same time. present() returns, also with an error, only when the second
-/// core is done. Error::second_core is the exception: the second core finished neither a strip nor the begin of a frame
-/// within kMaxStripMicroseconds, and keeps its buffer, its renderer and `second` until is_done(). If it is inside a
-/// function of the display, it keeps the display too, and the display's frame has not ended. Display errors that
-/// present() itself returns: strip_layout, pixels_too_small, second_core.
+/// one of drawing, also next to an error for which the display's frame does not begin. Strips are written in order, by
+/// either core: both cores call functions of `display` between begin_frame and end_frame, but never at the same time.
+/// present() returns, also with an error, only when the second core is done. Error::second_core is the exception: the
+/// second core finished neither a strip nor the begin of a frame within kMaxStripMicroseconds, and keeps its buffer,
+/// its renderer and `second` until is_done(). If it is inside a function of the display, it keeps the display too, and
+/// the display's frame has not ended. Display errors that present() itself returns: strip_layout, pixels_too_small,
+/// second_core.
 template <StripRenderer Renderer, Display Panel, Clock Time>
 auto present(Renderer& renderer, SecondCore<Renderer>& second, Panel& display, const StripLayout& layout,
              const TwoCoreBuffers& buffers, Time& clock) {

@@ -312,6 +312,49 @@ TEST(SecondCore, WhatItBeganIsWaitedForWhenTheDisplayFails) {
             Error::second_core);
 }
 
+TEST(SecondCore, AFailedBeginIsReportedWithTheFrameThatIsNotDrawn) {
+  FailingStep step;
+  NumberedStrips own{step}, other{step};
+  LateDisplay display(step);
+  SecondCore second(other);
+  std::array<std::byte, 64> memory[3];
+  Turns turns(0);
+  turns.serve = [&second] { second.serve(); };
+  ClockInTurns clock{&turns};
+  const auto fails = [] { return DrawStatus{true}; };
+  const auto shown = [&](const StripLayout& layout) {
+    return present(own, second, display, layout, {memory[0], memory[1], memory[2]}, clock);
+  };
+  for (const bool fits : {true, false}) {
+    step = {.at = fits ? 0 : -1};
+    second.start(fails);
+    const auto refused = shown(fits ? kLayouts[1] : StripLayout{.count = 2, .rows = 4});
+    EXPECT_TRUE(refused.draw.failed);
+    EXPECT_EQ(refused.display, fits ? Error::timeout : Error::strip_layout);
+    // The next frame, which start() does not begin, has no part in that error.
+    EXPECT_TRUE(shown(kLayouts[1]));
+  }
+}
+
+TEST(SecondCore, ABeginThatFailsAfterItsFrameTimedOutIsNoErrorOfTheNextFrame) {
+  FailingStep step{.at = 0};
+  NumberedStrips own{step}, other{step};
+  LateDisplay display(step);
+  SecondCore second(other);
+  std::array<std::byte, 64> memory[3];
+  const auto shown = [&](auto clock) {
+    return present(own, second, display, kLayouts[1], {memory[0], memory[1], memory[2]}, clock);
+  };
+  const auto fails = [] { return DrawStatus{true}; };
+  second.start(fails);
+  EXPECT_EQ(shown(NoTurn{}).display, Error::second_core);
+  while (second.serve()) {
+  }
+  Turns turns(0);
+  turns.serve = [&second] { second.serve(); };
+  EXPECT_TRUE(shown(ClockInTurns{&turns}));
+}
+
 TEST(SecondCore, OneThatStaysInTheDisplayKeepsIt) {
   struct Held {
     std::atomic<bool> is_taken = false, is_further = false, is_inside = false, is_free = false;
