@@ -95,17 +95,20 @@ class SecondCore {
          },
          nullptr});
     std::uint32_t waited = 0;
-    for (;;) {
+    bool answers = true;
+    while (answers) {
       const Progress progress = strips_.step(Core::first, own);
       if (progress == Progress::over && is_done()) break;
       if (progress == Progress::worked) {
         waited = 0;
-      } else if (!keep_waiting(clock, waited)) {
-        strips_.fail(Core::first, {}, Error::second_core);
-        break;
+      } else {
+        answers = keep_waiting(clock, waited);
       }
     }
+    if (!answers) strips_.fail(Core::first, {}, Error::second_core);
     PresentResult<DrawStatus> result = strips_.result(Core::first);
+    // Also after another error: only this one says that the second core keeps its buffer.
+    if (!answers) result.display = Error::second_core;
     // The second core is inside a function of the display.
     if (strips_.is_display_used(Core::first)) return result;
     const Error last_transfer = display.wait();

@@ -355,6 +355,19 @@ TEST(SecondCore, ABeginThatFailsAfterItsFrameTimedOutIsNoErrorOfTheNextFrame) {
   EXPECT_TRUE(shown(ClockInTurns{&turns}));
 }
 
+TEST(SecondCore, OneThatDoesNotAnswerAfterAnErrorIsNamedNextToIt) {
+  FailingStep step{.at = 1};  // the first core's first strip
+  NumberedStrips own{step}, other{step};
+  LateDisplay display(step);
+  SecondCore second(other);
+  std::array<std::byte, 64> memory[3];
+  NoTurn clock;
+  const auto late = present(own, second, display, kLayouts[1], {memory[0], memory[1], memory[2]}, clock);
+  EXPECT_TRUE(late.draw.failed);
+  EXPECT_EQ(late.display, Error::second_core) << "it still has its buffer";
+  EXPECT_FALSE(second.is_done());
+}
+
 TEST(SecondCore, OneThatStaysInTheDisplayKeepsIt) {
   struct Held {
     std::atomic<bool> is_taken = false, is_further = false, is_inside = false, is_free = false;
