@@ -37,11 +37,12 @@ static void check(player_obj* self, int right) {
   if (!right) fail(self->player);
 }
 
-static uint16_t half_of(mp_obj_t number) {
-  const mp_int_t value = mp_obj_get_int(number);
+static uint16_t half(mp_int_t value) {
   if (value < 0 || value > 0xFFFF) mp_raise_ValueError(MP_ERROR_TEXT("a number is not between 0 and 65535"));
   return (uint16_t)value;
 }
+
+static uint16_t half_of(mp_obj_t number) { return half(mp_obj_get_int(number)); }
 
 static uint32_t word_of(mp_obj_t number) { return (uint32_t)mp_obj_get_int_truncated(number); }
 
@@ -87,8 +88,7 @@ static mp_obj_t player_fit(size_t count, const mp_obj_t* arguments, mp_map_t* na
   const uint16_t width = half_of(values[0].u_obj), height = half_of(values[1].u_obj);
   const mp_int_t format = values[2].u_int;
   if (format < 0 || format > ZSTRIP_XRGB8888) mp_raise_ValueError(MP_ERROR_TEXT("there is no such format"));
-  const zstrip_fit_options options = {(uint16_t)values[3].u_int, (uint16_t)values[4].u_int, values[5].u_bool,
-                                      values[6].u_bool};
+  const zstrip_fit_options options = {half(values[3].u_int), half(values[4].u_int), values[5].u_bool, values[6].u_bool};
   self->width = self->height = 0;
   check(self, zstrip_player_fit_with(self->player, width, height, (zstrip_format)format, &options));
   self->width = width;

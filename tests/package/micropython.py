@@ -91,6 +91,9 @@ show("figure", 3, "wave")
 print("clips", player.clips())
 fails("clip", player.play_clip, "run")
 fails("format", player.fit, 160, 120, 7)
+for name in ("rows", "row_step"):
+    for number in (-1, 65536):  # their lowest 16 bits are other numbers
+        fails("between 0 and 65535", lambda: player.fit(160, 120, **{name: number}))
 
 player.open(scene("events"))
 player.fit(160, 120)
