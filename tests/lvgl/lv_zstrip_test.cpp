@@ -325,6 +325,23 @@ TEST(LvglWidget, ADragMovesTheCameraAndAClickPicks) {
   EXPECT_EQ(lv_zstrip_get_orbit_right(widget), -1800);
 }
 
+TEST(LvglWidget, ADragOf65536PixelsStopsWhereAShorterOneDoes) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
+  const Scene3d scene("teapot_meshlets");
+  lv_obj_t* const widget = widget_on_screen(scene, false);
+  screen.run(50);
+  for (const std::int32_t pixels : {1'000, 65'535, 65'536, 100'000}) {
+    screen.touch(kLeft + 50, kTop + 40);
+    screen.touch(kLeft + 50, kTop + 40 + pixels);
+    screen.release();
+    EXPECT_EQ(lv_zstrip_get_orbit_up(widget), 800) << pixels;
+    screen.touch(kLeft + 50, kTop + 40);
+    screen.touch(kLeft + 50, kTop + 40 - pixels);
+    screen.release();
+    EXPECT_EQ(lv_zstrip_get_orbit_up(widget), -800) << pixels;
+  }
+}
+
 TEST(LvglWidget, AnotherSizeIsPlannedAgain) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("teapot_meshlets", 60'000);

@@ -27,7 +27,7 @@ typedef struct {
   uint32_t clock;           /* milliseconds that were played, for scenes with clips */
   uint32_t time, from, to;  /* milliseconds of the motion */
   uint32_t background;      /* 0xRRGGBB, mixed into smoothed edges of a transparent widget */
-  lv_area_t drag;           /* x1, y1: the sum of moves since the press; x2, y2: the angles at the press */
+  lv_area_t drag;           /* x1, y1: the moves since the press, at most 65535; x2, y2: the angles at the press */
   uint16_t right, up, zoom; /* 65536 is 360 degrees; percent */
   zstrip_picked picked;
   unsigned transparent : 1, playing : 1, interactive : 1;
@@ -318,14 +318,20 @@ static void set_orbit(lv_zstrip_t* widget, int32_t right, int32_t up) {
   widget->moved = 1;
 }
 
+/* 32768 times the sum, and an angle more, are an int32_t. LVGL's coordinates are below 2^29. */
+static int32_t add_move(int32_t sum, int32_t move) {
+  const int32_t limit = 65535;
+  return LV_CLAMP(-limit, sum + move, limit);
+}
+
 /* Half a turn for the widget's width: the model follows the finger. */
 static void drag(lv_zstrip_t* widget, lv_indev_t* indev) {
   if (indev == NULL || !widget->interactive) return;
   lv_point_t move;
   lv_indev_get_vect(indev, &move);
   if (move.x == 0 && move.y == 0) return;
-  widget->drag.x1 += move.x;
-  widget->drag.y1 += move.y;
+  widget->drag.x1 = add_move(widget->drag.x1, move.x);
+  widget->drag.y1 = add_move(widget->drag.y1, move.y);
   const int32_t limit = indev->scroll_limit;
   if (LV_ABS(widget->drag.x1) > limit || LV_ABS(widget->drag.y1) > limit) widget->dragged = 1;
   if (!widget->dragged) return;
