@@ -119,13 +119,14 @@ inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 
 /// Checks the whole `blob`, with checksum, offsets and scene (validate), and then makes `opened` a view of it. On an
 /// error `opened` keeps its value. Skins and morph targets are in the pose as they were modelled until pose_clips.
-/// Time: linear in the blob's size and in the bytes of `memory`. Any bytes are safe. Errors: blob_alignment;
-/// blob_damaged (`needed`: offset of the wrong byte, or the offset behind the last byte if bytes are missing);
-/// blob_version (`needed`: the blob's version, `available`: the latest version that is read); blob_section
-/// (`needed`: tag of a required section that this program does not know, its first letter in the highest byte);
-/// blob_depth (`needed`: number of a depth format that was removed); blob_memory (`needed`, `available`: bytes of
-/// `memory`); camera; skin (`needed`: the mesh of lines, edges or CSG that joints move, or as in validate, also of
-/// a Morph); and all errors of validate.
+/// Any bytes are safe. Time: linear in the bytes of `blob` and `memory`, and in the elements that all records name:
+/// records may share triangles or keys, which are checked for each of them. docs/formats.md has the worst case, which
+/// takes minutes on a microcontroller. Errors: blob_alignment; blob_damaged (`needed`: offset of the wrong byte, or the
+/// offset behind the last byte if bytes are missing); blob_version (`needed`: the blob's version, `available`: the
+/// latest version that is read); blob_section (`needed`: tag of a required section that this program does not know, its
+/// first letter in the highest byte); blob_depth (`needed`: number of a depth format that was removed); blob_memory
+/// (`needed`, `available`: bytes of `memory`); camera; skin (`needed`: the mesh of lines, edges or CSG that joints
+/// move, or as in validate, also of a Morph); and all errors of validate.
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened);
 
 /// Moves the morph targets and the joints of an open blob by the clips that play, as pose_clips of clips.hpp does for

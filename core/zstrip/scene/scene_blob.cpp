@@ -286,7 +286,7 @@ Status read_morphs(BlobReader& reader, const Records& all, MorphMemory memory, S
   std::uint32_t first_target = 0, first_run = 0;
   for (std::size_t i = 0; i < memory.morphs.size(); ++i) {
     const blob_layout::MorphRecord& record = all.morphs[i];
-    // Each mesh has targets of its own, and each target runs, so that all are checked in linear time.
+    // Each mesh has targets of its own, and each target has runs of its own, so that each is checked once.
     reader.require(record.targets.first == first_target, &record.targets);
     first_target += record.targets.count;
     const std::span targets = reader.some(all.morph_targets, record.targets);
@@ -384,7 +384,7 @@ Status read_characters(BlobReader& reader, const Records& all, const CharacterCo
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const blob_layout::ClipRecord& record = all.clips[i];
     reader.require(record.duration != 0, &record.duration);
-    // Each clip has tracks of its own, so that all of them are checked in linear time.
+    // Each clip has tracks of its own, so that each track is checked once; tracks may share keys.
     reader.require(record.tracks.first == first_track, &record.tracks);
     reader.require(record.joint_tracks.first == first_joint_track, &record.joint_tracks);
     first_track += record.tracks.count;

@@ -260,8 +260,9 @@ constexpr Status validate_instances(const Scene& scene) {
   return {};
 }
 
-/// Checks every index, count and range of the scene. Time: linear in its triangles, and in the vertices of each
-/// textured instance. Status::needed is the index of the invalid element.
+/// Checks every index, count and range of the scene. Time: linear in the triangles of each mesh, the vertices of each
+/// textured instance, and the segments and edges of each set; what several of them share is checked for each.
+/// Status::needed is the index of the invalid element.
 constexpr Status validate(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
     if (!detail::valid_mesh(scene.meshes[i]) || scene.meshes[i].outline > scene.outlines.size()) {
