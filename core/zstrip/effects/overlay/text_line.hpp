@@ -16,8 +16,7 @@ constexpr std::span<const char> whole_text(std::span<const char> text) {
   return text.first(size);
 }
 
-/// Removes the first line and the '
-/// ' after it from a text, and returns the line.
+/// Removes the first line and the line feed after it from a text, and returns the line.
 constexpr std::span<const char> take_line(std::span<const char>& text) {
   std::size_t size = 0;
   while (size < text.size() && text[size] != '\n') ++size;
