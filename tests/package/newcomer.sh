@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # newcomer.sh FOLDER: what FOLDER has of a release (cmake/zstrip_release.sh) is installed and used from there alone: nothing
 # of the repository is read. Everything that draws draws the picture of the command that the release has. Without the
-# packages for Debian there is no such command: then only sums and contents are looked at.
+# packages for Debian there is no such command: then only sums and contents are looked at. Exit status 1 if something does
+# not work, if the release has a command and nothing drew, or if it has files and nothing was looked at.
 set -euo pipefail
 release=$(cd "$1" && pwd -P)
 scratch=$(mktemp -d)
@@ -12,14 +13,28 @@ complain() {
   echo "$*"
   failed=1
 }
-tried() { echo "works: $*"; }
-# file PATTERN: the release's only file of this pattern; false if there is none.
+looked_at=0 drawn=0
+tried() {
+  echo "works: $*"
+  looked_at=$((looked_at + 1))
+}
+# file VARIABLE PATTERN: sets the variable to the release's only file of this pattern; false if there is none. Several end
+# the script: that is why this is called without a subshell.
 file() {
   local found
-  found=$(find "$release" -maxdepth 1 -name "$1" | sort)
+  found=$(find "$release" -maxdepth 1 -name "$2" | sort)
   [ -n "$found" ] || return 1
-  [ "$(wc -l <<<"$found")" -eq 1 ] || { echo "$release has several files $1" >&2; exit 1; }
-  echo "$found"
+  [ "$(wc -l <<<"$found")" -eq 1 ] || { echo "$release has several files $2"; exit 1; }
+  printf -v "$1" %s "$found"
+}
+# holds FOLDER WHAT FILE...: the unpacked files are there and not empty.
+holds() {
+  local file folder=$1 what=$2 complete=yes
+  shift 2
+  for file in "$@"; do
+    [ -s "$folder/$file" ] || { complain "$what has no $file"; complete=; }
+  done
+  if [ -n "$complete" ]; then tried "$what has its files"; fi
 }
 # missing TOOL...: says what is not installed; false if everything is.
 missing() {
@@ -31,16 +46,23 @@ missing() {
 }
 # same PICTURE WHO: it is the command's picture.
 same() {
-  if cmp -s "$1" expected.raw; then tried "$2"; else complain "$2 draws another picture, or none"; fi
+  if cmp -s "$1" expected.raw; then
+    tried "$2"
+    drawn=$((drawn + 1))
+  else
+    complain "$2 draws another picture, or none"
+  fi
 }
 
 (cd "$release" && sha256sum --check --quiet SHA256SUMS) || complain "SHA256SUMS are not those of the files"
 
-zstrip=
+has_command= zstrip=
 debian() {
   local command library flags
+  file command 'zstrip_*_*.deb' || return 0
+  has_command=yes
+  file library 'libzstrip-dev_*.deb' || { complain "the release has the command, but no libzstrip-dev"; return; }
   missing dpkg-deb pkg-config g++ && return
-  command=$(file 'zstrip_*_*.deb') && library=$(file 'libzstrip-dev_*.deb') || return 0
   dpkg-deb -x "$command" system
   dpkg-deb -x "$library" system
   zstrip=$scratch/system/usr/bin/zstrip
@@ -55,13 +77,18 @@ debian() {
 }
 
 packages() {
-  local archive sources
-  archive=$(file "zstrip-[0-9]*[0-9].tar.gz") || return 0
-  missing g++ cmake && return
+  local archive zip sources
+  file archive 'zstrip-[0-9]*[0-9].tar.gz' || return 0
   mkdir tar zip
   tar -C tar -xzf "$archive"
-  (cd zip && cmake -E tar xf "$(file 'zstrip-[0-9]*.zip')")
-  diff -r tar zip || complain "the .zip differs from the .tar.gz"
+  holds tar/zstrip "the package for microcontrollers" library.properties library.json idf_component.yml src/zstrip.h LICENSE
+  missing g++ cmake && return
+  if file zip 'zstrip-[0-9]*.zip'; then
+    (cd zip && cmake -E tar xf "$zip")
+    diff -r tar zip || complain "the .zip differs from the .tar.gz"
+  else
+    complain "the package for microcontrollers is there as .tar.gz alone"
+  fi
   [ -n "$zstrip" ] || return 0
   # One by one they take a minute: arduino-builder compiles them so.
   read -r -d '' -a sources < <(find tar/zstrip/src -name '*.cpp' | sort) || true
@@ -77,11 +104,12 @@ packages() {
 
 npm() {
   local archive
-  archive=$(file 'zstrip-npm-*.tgz') || return 0
-  missing node && return
-  [ -n "$zstrip" ] || return 0
+  file archive 'zstrip-npm-*.tgz' || return 0
   mkdir -p page/node_modules/zstrip
   tar -C page/node_modules/zstrip --strip-components 1 -xzf "$archive"
+  holds page/node_modules/zstrip "the package of npm" package.json
+  missing node && return
+  [ -n "$zstrip" ] || return 0
   cat >page/draw.mjs <<'JS'
 import { readFileSync, writeFileSync } from 'node:fs';
 import { load } from 'zstrip';
@@ -101,11 +129,12 @@ JS
 # The crate is built as cargo would, without cargo.
 rust() {
   local archive feature crate=$scratch/rust/crate variables=() flags=()
-  archive=$(file 'zstrip-rust-*.tar.gz') || return 0
-  missing rustc g++ ar && return
-  [ -n "$zstrip" ] || return 0
+  file archive 'zstrip-rust-*.tar.gz' || return 0
   mkdir -p "$crate" rust/out
   tar -C "$crate" --strip-components 1 -xzf "$archive"
+  holds "$crate" "the crate for Rust" Cargo.toml build.rs src/lib.rs examples/picture.rs
+  missing rustc g++ ar && return
+  [ -n "$zstrip" ] || return 0
   for feature in $(sed -n 's/^default = \[\(.*\)\]/\1/p' "$crate/Cargo.toml" | tr -d '",' | tr '[:lower:]' '[:upper:]'); do
     variables+=("CARGO_FEATURE_$feature=1")
   done
@@ -124,22 +153,22 @@ rust() {
 }
 
 micropython() {
-  local archive name
-  archive=$(file 'zstrip-micropython-*.tar.gz') || return 0
+  local archive
+  file archive 'zstrip-micropython-*.tar.gz' || return 0
   mkdir micropython
   tar -C micropython --strip-components 1 -xzf "$archive"
-  for name in Makefile flags.mk micropython.mk micropython.cmake zstrip_module.c pipeline.cpp cpp/zstrip_player.h LICENSE; do
-    [ -s "micropython/$name" ] || complain "the module for MicroPython has no $name"
-  done
+  holds micropython "the module for MicroPython" Makefile flags.mk micropython.mk micropython.cmake zstrip_module.c \
+    pipeline.cpp cpp/zstrip_player.h LICENSE
   echo "not tried, because no release of MicroPython is in it: the module for MicroPython"
 }
 
 pico() {
-  local board
+  local board program
   for board in pico pico2; do
-    file "zstrip_${board}_player.uf2" >/dev/null || continue
-    [ -n "$zstrip" ] || return 0
-    if "$zstrip" bake knot -o "$board.uf2" --board "$board" --with "$release/zstrip_${board}_player.uf2" --quiet; then
+    file program "zstrip_${board}_player.uf2" || continue
+    if [ "$(head -c 4 "$program" | tr -d '\n')" = UF2 ]; then tried "zstrip_${board}_player.uf2 is a UF2 file"; else complain "zstrip_${board}_player.uf2 is no UF2 file"; fi
+    [ -n "$zstrip" ] || continue
+    if "$zstrip" bake knot -o "$board.uf2" --board "$board" --with "$program" --quiet; then
       tried "zstrip bake with zstrip_${board}_player.uf2"
     else
       complain "zstrip bake does not take zstrip_${board}_player.uf2"
@@ -149,11 +178,13 @@ pico() {
 
 sources() {
   local archive
-  archive=$(file 'zstrip-*-source.tar.gz') || return 0
+  file archive 'zstrip-*-source.tar.gz' || return 0
+  mkdir unpacked
+  tar -C unpacked --strip-components 1 -xzf "$archive"
+  holds unpacked "the archive of sources" CMakeLists.txt README.md LICENSE core/zstrip/zstrip.hpp
   missing g++ cmake ninja && return
   [ -n "$zstrip" ] || return 0
-  tar -xzf "$archive"
-  mv zstrip-[0-9]* scene/zstrip
+  mv unpacked scene/zstrip
   cat >scene/CMakeLists.txt <<'CMAKE'
 cmake_minimum_required(VERSION 3.22)
 project(scene LANGUAGES CXX)
@@ -170,9 +201,9 @@ CMAKE
 }
 
 pages() {
-  local archive
-  for archive in playground site; do
-    archive=$(file "zstrip-$archive-*.tar.gz") || continue
+  local archive name
+  for name in playground site; do
+    file archive "zstrip-$name-*.tar.gz" || continue
     mkdir pages
     tar -C pages --strip-components 1 -xzf "$archive"
     if [ -s pages/index.html ]; then tried "${archive##*/} has its first page"; else complain "$archive has no first page"; fi
@@ -188,4 +219,6 @@ micropython
 pico
 sources
 pages
+if [ -n "$has_command" ] && [ "$drawn" -eq 0 ]; then complain "the release has a command, and nothing drew with it"; fi
+if [ "$looked_at" -eq 0 ]; then complain "nothing of $release was looked at"; fi
 exit "$failed"

@@ -3,7 +3,7 @@
 # minutes.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
-for tool in cpack dpkg-shlibdeps dpkg-deb zip; do
+for tool in cpack dpkg-shlibdeps dpkg-deb zip pkg-config g++ cmake; do
   command -v "$tool" >/dev/null || { echo "$tool is not installed"; exit 77; }
 done
 scratch=$(mktemp -d)
