@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
 import {coloursApart, dilate, erode, silhouettesApart, tilesApart, toRgb565} from './compare.mjs';
-import {differs, surprises} from './expected.mjs';
+import {differs, surprises, worstOf} from './expected.mjs';
 
 const kSide = 16;
 const kArea = {
@@ -82,4 +82,17 @@ test('colours may be apart in a share of the pixels, and must be of enough of th
   assert.ok(differs(row(0, 10000, 12.1)));
   assert.ok(differs(row(0, 999)));
   assert.ok(differs({aspect: 'pose', value: 1}));
+});
+
+test('no row that does not differ takes the place of one that does', () => {
+  const row = (value, tiles, pixels = 10000) => ({case: 'a', aspect: 'colour', value, pixels, tiles, step: 8});
+  const most = row(300, 1), tiles = row(1, 13), few = row(0, 0, 999), same = [row(0, 11), row(200, 2), row(0, 0)];
+  for (const worst of [most, tiles, few]) {
+    assert.deepEqual(worstOf([worst, ...same]), [worst]);
+    assert.deepEqual(worstOf([...same, worst]), [worst]);
+  }
+  assert.deepEqual(worstOf([tiles, most]), [most]);
+  assert.deepEqual(worstOf([row(300, 20), most]), [row(300, 20)]);
+  assert.deepEqual(worstOf([same[2], same[0]]), [same[0]]);
+  assert.deepEqual(worstOf([row(0, 0), {...most, case: 'b'}]).map((each) => each.case), ['a', 'b']);
 });

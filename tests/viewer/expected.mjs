@@ -27,12 +27,16 @@ export function differs(row) {
   return value > kShares[row.aspect] * pixels || tiles > kTileSteps * step;
 }
 
+/** Sorts the worse row first: one that differs is worse than one that does not, then pixels count, then tiles. */
+const worseFirst = (a, b) =>
+    Number(differs(b)) - Number(differs(a)) || b.value - a.value || (b.tiles ?? 0) - (a.tiles ?? 0);
+
 /** Of each case and aspect the row that is worst. */
 export function worstOf(rows) {
   const worst = new Map();
   for (const row of rows) {
     const known = worst.get(keyOf(row));
-    if (!known || row.value > known.value || (row.tiles ?? 0) > (known.tiles ?? 0)) worst.set(keyOf(row), row);
+    if (!known || worseFirst(row, known) < 0) worst.set(keyOf(row), row);
   }
   return [...worst.values()];
 }
