@@ -3,6 +3,7 @@
 # place. Only hal/linux includes headers of an operating system.
 set -euo pipefail
 shopt -s extglob
+source "$(dirname "${BASH_SOURCE[0]}")/search.sh"
 cd "$1"
 
 # All of core/zstrip, bottom to top: a file includes those of its own line and of the lines before it. The longest
@@ -37,10 +38,11 @@ order=(
 )
 failed=0
 
-# Every quoted or angled include of the C++ files in a folder, as "file:line:path".
+# includes_of FOLDER: sets `found` to every quoted or angled include of its C++ files, as "file:line:path".
 includes_of() {
-  grep -rnE --include='*.hpp' --include='*.cpp' --include='*.inc' '^[[:space:]]*#[[:space:]]*include' "$1" |
-    sed -E 's/^([^:]+:[0-9]+):[^<"]*[<"]([^>"]+)[>"].*/\1:\2/'
+  lines -rnE --include='*.hpp' --include='*.cpp' --include='*.inc' '^[[:space:]]*#[[:space:]]*include' "$1"
+  [ -n "$found" ] || { echo "no file of $1 includes anything"; exit 1; }
+  found=$(sed -E 's/^([^:]+:[0-9]+):[^<"]*[<"]([^>"]+)[>"].*/\1:\2/' <<<"$found")
 }
 
 complain() {
@@ -65,11 +67,14 @@ place_of() {
   places[$1]=$place
 }
 
+found=$(find core/zstrip -type f)
+[ -n "$found" ] || { echo "core/zstrip holds no file"; exit 1; }
 while read -r file; do
   place_of "${file#core/zstrip/}"
   if [ -z "$place" ]; then complain "$file has no place in the order of core: tests/structure/includes.sh"; fi
-done < <(find core/zstrip -type f)
+done <<<"$found"
 
+includes_of core
 while IFS=: read -r file line path; do
   # The compiler's own headers for its vectors, each in one place.
   case "$file $path" in
@@ -96,8 +101,9 @@ while IFS=: read -r file line path; do
   if [ -n "$included" ] && [ -n "$place" ] && [ "$included" -gt "$place" ]; then
     complain "$file:$line: $path stands later: ${order[included]}"
   fi
-done < <(includes_of core)
+done <<<"$found"
 
+includes_of hal
 while IFS=: read -r file line path; do
   case "$file $path" in
     hal/linux/*" zstrip_hal_linux/"*) if [ ! -e "hal/linux/$path" ]; then complain "$file:$line: $path does not exist"; fi ;;
@@ -106,11 +112,11 @@ while IFS=: read -r file line path; do
     hal/linux/*) ;;
     *" "*/* | *.hpp | *.h) complain "$file:$line: hal includes $path: only zstrip_hal/... and the C++ library are allowed" ;;
   esac
-done < <(includes_of hal)
+done <<<"$found"
 
 # Documents, examples and the header that has everything show the public headers, which lie in core/zstrip itself.
-while IFS=: read -r file line text; do
-  complain "$file:$line: $text is no public header of core"
-done < <(grep -HnE '^[[:space:]]*#include [<"]zstrip/.*/' README.md docs/*.md */README.md core/zstrip/zstrip.hpp 2>/dev/null || true)
+lines -HnE '^[[:space:]]*#include [<"]zstrip/.*/' README.md docs/*.md */README.md core/zstrip/zstrip.hpp
+if [ -n "$found" ]; then complain "$found
+these are no public headers of core"; fi
 
 exit "$failed"

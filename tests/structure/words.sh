@@ -3,6 +3,7 @@
 # or buses are meant; limits whose names do not begin with kMax or kMin; comments that begin with a word that leaves out
 # the subject; rare words for common ones; lines of prose that reach column 120.
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/search.sh"
 cd "$1"
 failed=0
 
@@ -11,23 +12,22 @@ complain() {
   failed=1
 }
 
-places=()
-for place in core hal firmware host-sim docs cmake README.md; do
-  if [ -e "$place" ]; then places+=("$place"); fi
-done
+places=(core hal firmware host-sim docs cmake README.md)
 
 # A table of docs/design.md has old terms and their successors.
-found=$(grep -rnIiwE 'nobody|whoever|somebody|someone|anybody|surroundings' "${places[@]}" | grep -v '^docs/design.md:[0-9]*:| ' || true)
+lines -rnIiwE 'nobody|whoever|somebody|someone|anybody|surroundings' "${places[@]}"
+lines -v '^docs/design.md:[0-9]*:| ' <<<"$found"
 if [ -n "$found" ]; then complain "not a term of the field" "$found"; fi
 
-found=$(grep -rnIE '\bk(Most|Largest|Least)([A-Z]\w*)?\b' "${places[@]}" | grep -v '^docs/design.md:[0-9]*:| ' || true)
+lines -rnIE '\bk(Most|Largest|Least)([A-Z]\w*)?\b' "${places[@]}"
+lines -v '^docs/design.md:[0-9]*:| ' <<<"$found"
 if [ -n "$found" ]; then complain "limits begin with kMax or kMin" "$found"; fi
 
-found=$(grep -rnIE --include='*.cpp' --include='*.hpp' --include='*.h' --include='*.ino' --include='*.mjs' --include='*.js' \
-  '(^|[ ;,{})])(///?<?|/\*\*) *(Of|What|Whether|Those|Likewise)\b' core hal firmware host-sim || true)
+lines -rnIE --include='*.cpp' --include='*.hpp' --include='*.h' --include='*.ino' --include='*.mjs' --include='*.js' \
+  '(^|[ ;,{})])(///?<?|/\*\*) *(Of|What|Whether|Those|Likewise)\b' core hal firmware host-sim
 if [ -n "$found" ]; then complain "a comment without a subject: say what the thing is or does" "$found"; fi
 
-found=$(grep -rnIiwE 'seldom|quicker|quickest|dearer' "${places[@]}" || true)
+lines -rnIiwE 'seldom|quicker|quickest|dearer' "${places[@]}"
 if [ -n "$found" ]; then complain "rare, faster, fastest, more expensive" "$found"; fi
 
 # Rows of tables, code and images stand on one line. Measured pages are written by programs.
