@@ -22,4 +22,8 @@ compile() {
 export build
 export -f compile
 xargs -r -d '\n' -P 2 -n 1 bash -c 'compile "$@"' _ <"$work/chosen"
+if [ ! -s "$work/chosen" ] && grep -q '^ZSTRIP_COMPILE_TOGETHER:.*host-sim' "$build/CMakeCache.txt"; then
+  echo "$build joins sources of host-sim, and none of ${folders[*]} is found"
+  exit 1
+fi
 echo "$(wc -l <"$work/chosen") sources compiled by themselves"

@@ -3,16 +3,18 @@
 # objects: they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The
 # sources of each are compiled together. The pipelines that are for hosts alone are left out, but with ZSTRIP_LONG and
 # without --few.
-# freestanding.sh ROOT --built BUILD COMPILER: reads the libraries of a build for boards instead.
+# freestanding.sh ROOT --built BUILD [--player] COMPILER: reads the libraries of a build for boards instead; that of the
+# player where one of the boards has a program with it.
 set -euo pipefail
 root=$1
 shift
-few=yes built=
+few=yes built= player=
 if [ -n "${ZSTRIP_LONG-}" ]; then few=; fi
 case $1 in
   --few) few=yes; shift ;;
   --built) few=yes built=$2; shift 2 ;;
 esac
+if [ "$1" = --player ]; then player=yes; shift; fi
 compiler=$1
 shift
 if ! command -v "$compiler" >/dev/null; then
@@ -30,6 +32,7 @@ compile() {
   local folder=${1%/*} what=${1##*/} included
   shift
   included=$(find "$folder" -name '*.cpp' ! -name 'no_rows_of_*' -printf '#include "%p"\n' | sort)
+  [ -n "$included" ] || { echo "$folder holds no source"; return 1; }
   if [ "$what" = pipelines ]; then included=$(grep -E "$pipelines" <<<"$included"); else included=$(grep -vE "$pipelines" <<<"$included"); fi
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
     -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" \
@@ -39,13 +42,12 @@ export root objects pipelines
 export -f compile
 if [ -n "$built" ]; then
   read_from=("$built"/{core/libzstrip_core,hal/libzstrip_hal}.a)
-  player=$built/firmware/player/libzstrip_player.a  # some boards have no program with it
-  if [ -e "$player" ]; then read_from+=("$player"); fi
+  if [ -n "$player" ]; then read_from+=("$built/firmware/player/libzstrip_player.a"); fi
 else
   units=("$root"/{core/zstrip,hal/zstrip_hal,firmware/player/zstrip_player}/others)
   if [ -z "$few" ]; then units+=("$root"/core/zstrip/{frame,visibility}/pipelines); fi
   printf '%s\n' "${units[@]}" |
-    xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@"
+    xargs -P 2 -I{} bash -euo pipefail -c 'compile "$@"' _ {} "$compiler" "$@"
   read_from=("$objects"/*.o)
 fi
 

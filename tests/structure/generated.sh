@@ -8,11 +8,11 @@ made=$(mktemp)
 scenes=$(mktemp -d)
 trap 'rm -rf "$made" "$scenes"' EXIT
 failed=0
-compared=0
+models=0 compared_scenes=0
 while IFS= read -r program; do
   folder=$(dirname "$program")
   model=$folder/$(basename "$folder").gltf
-  compared=$((compared + 1))
+  models=$((models + 1))
   node "$program" >"$made"
   if ! cmp "$made" "$model"; then
     echo "$model is not what $program makes: node $program > $model"
@@ -23,6 +23,7 @@ done < <(find host-sim/scenes -name generate.mjs | sort)
 while IFS= read -r program; do
   scene=${program%.mjs} name=$(basename "$program" .mjs)
   [ -e "$scene.toml" ] || continue
+  compared_scenes=$((compared_scenes + 1))
   made_scene=$scenes/${scene#host-sim/scenes/}
   mkdir "$made_scene"
   (cd "$(dirname "$made_scene")" && node "$name.mjs" >/dev/null)
@@ -31,5 +32,6 @@ while IFS= read -r program; do
     failed=1
   fi
 done < <(find host-sim/scenes -name '*.mjs' | sort)
-[ "$compared" -gt 0 ] || { echo "host-sim/scenes holds no generate.mjs"; failed=1; }
+[ "$models" -gt 0 ] || { echo "host-sim/scenes holds no generate.mjs"; failed=1; }
+[ "$compared_scenes" -gt 0 ] || { echo "host-sim/scenes holds no program beside a scene of its name"; failed=1; }
 exit "$failed"
