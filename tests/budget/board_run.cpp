@@ -2,7 +2,6 @@
 #include "board_run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -61,12 +60,9 @@ BoardRun run_bench(Qemu& emulator) {
   return plan_of(parse_report(output));
 }
 
-BoardRun run_frames(Qemu& emulator, const Section& stack) {
-  // A whole turn, or as much of it as slow panels show in this time.
-  constexpr int kFrames = 64;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(4);
+BoardRun run_frames(Qemu& emulator, const Section& stack, int frames) {
   emulator.prompt("p");
-  for (int frame = 1; frame < kFrames && std::chrono::steady_clock::now() < end; ++frame) {
+  for (int frame = 1; frame < frames; ++frame) {
     emulator.write_console("n");
     emulator.read_line();
   }
@@ -98,7 +94,7 @@ BoardRun run_on_board(const Target& target, const std::filesystem::path& program
     case Report::bench: return run_bench(emulator);
     case Report::none:
     case Report::recorded: break;
-    case Report::frames: return run_frames(emulator, stack);
+    case Report::frames: return run_frames(emulator, stack, target.frames);
   }
   throw std::runtime_error("a report of no kind");
 }

@@ -33,6 +33,7 @@ struct Target {
   std::uint16_t strip_columns = 0;  ///< likewise
   int serial_port = 0;              ///< that is the console
   bool binned = false;              ///< its plan keeps vertices and lists of triangles
+  int frames = 64;  ///< drawn for Report::frames: a whole turn, fewer where the emulator takes seconds for each
 };
 
 /// Every program that draws a scene, with every scene that it draws.
