@@ -16,6 +16,7 @@
 #include "bench/elf_size.hpp"
 #include "bench/peers.hpp"
 #include "bench/workloads.hpp"
+#include "own_folder.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -36,14 +37,13 @@ ChildOutput bench(std::vector<std::string> options, Valgrind valgrind = Valgrind
 
 // The rows that a run writes to a file.
 json bench_rows(std::vector<std::string> options, Valgrind valgrind = Valgrind::found) {
-  const std::string file = testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+  const test::OwnFolder folder;
+  const std::string file = folder.path() / "rows.json";
   options.insert(options.end(), {"--json", file});
   const ChildOutput output = bench(options, valgrind);
   EXPECT_EQ(output.exit_status, 0) << output.text;
   std::ifstream stream(file);
-  const json rows = json::parse(stream, nullptr, false);
-  std::filesystem::remove(file);
-  return rows;
+  return json::parse(stream, nullptr, false);
 }
 
 TEST(Workloads, AllNameABuiltInScene) {
@@ -109,7 +109,8 @@ TEST(ChildProcess, MuchOutputIsCutOff) {
 }
 
 TEST(ElfSize, RefusesWhatIsNoProgram) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "zstrip_not_an_elf";
+  const test::OwnFolder folder;
+  const std::filesystem::path file = folder.path() / "not_an_elf";
   std::ofstream(file) << "\x7f"
                          "ELF\x01 cut short";
   EXPECT_FALSE(elf_load_bytes(file));

@@ -17,6 +17,7 @@
 #include "bench/instruction_class.hpp"
 #include "bench/plugin/flash_cache.hpp"
 #include "bench/strip_timeline.hpp"
+#include "own_folder.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -174,7 +175,8 @@ TEST(StripTimeline, TwoCoresShareStripsOfUnequalWork) {
 }
 
 TEST(ExecutionProfile, RefusesWhatThePluginDoesNotWrite) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "zstrip_profile_test.txt";
+  const test::OwnFolder folder;
+  const std::filesystem::path file = folder.path() / "profile.txt";
   const auto read = [&file](const char* text) {
     std::ofstream(file) << text;
     return static_cast<bool>(read_profile(file));
@@ -187,7 +189,6 @@ TEST(ExecutionProfile, RefusesWhatThePluginDoesNotWrite) {
   EXPECT_FALSE(read("i 10 2 nop\nb 0 10 1\nx 1 7 1\nr 1 2 3 4\n"));
   EXPECT_FALSE(read("i 10 2\nr 1 2 3 4\n"));
   EXPECT_FALSE(read("hello\n"));
-  std::filesystem::remove(file);
 }
 
 ChildOutput bench(std::vector<std::string> options) {
@@ -206,15 +207,13 @@ class BoardCommand : public testing::Test {
     }
   }
   json rows(std::vector<std::string> options) {
-    const std::string file =
-        testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+    const test::OwnFolder folder;
+    const std::string file = folder.path() / "rows.json";
     options.insert(options.end(), {"--firmware", ZSTRIP_FIRMWARE_BINARIES, "--json", file});
     const ChildOutput output = bench(options);
     EXPECT_EQ(output.exit_status, 0) << output.text;
     std::ifstream stream(file);
-    const json result = json::parse(stream, nullptr, false);
-    std::filesystem::remove(file);
-    return result;
+    return json::parse(stream, nullptr, false);
   }
 };
 

@@ -20,6 +20,7 @@
 #include "bench/dynamic_z.hpp"
 #include "bench/dynamic_z_table.hpp"
 #include "bench/torus_knot.hpp"
+#include "own_folder.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -244,13 +245,13 @@ TEST(DynamicZTable, RatioIsOfInstructionsOrElseOfTime) {
 
 // The smallest picture is counted; with ZSTRIP_LONG a larger one, too.
 TEST(DynamicZCommand, RowsAreRightAndKeepTheTargets) {
-  const std::string file = testing::TempDir() + "zstrip_dynamic_z.json";
+  const test::OwnFolder folder;
+  const std::string file = folder.path() / "rows.json";
   const bool is_long = std::getenv("ZSTRIP_LONG") != nullptr;
   const ChildOutput output = table({"--picture", is_long ? "100,500" : "100", "--json", file});
   ASSERT_EQ(output.exit_status, 0) << output.text;
   std::ifstream stream(file);
   const json rows = json::parse(stream, nullptr, false);
-  std::filesystem::remove(file);
   ASSERT_EQ(rows.size(), is_long ? 8U : 4U);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const json& row = rows[i];

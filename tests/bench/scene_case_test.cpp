@@ -20,6 +20,7 @@
 #include "bench/child_process.hpp"
 #include "bench/scene_case.hpp"
 #include "image/rgb_png.hpp"
+#include "own_folder.hpp"
 #include "render/render_frame.hpp"
 
 namespace zstrip::sim {
@@ -119,8 +120,8 @@ void picture(const std::filesystem::path& file, std::uint32_t side,
 /// Two models in each run; with ZSTRIP_LONG models of all kinds, whose programs host-sim/run builds.
 TEST_F(SceneOfUser, FramesASecondOfFitAreThoseThatBenchCounts) {
   const bool all = std::getenv("ZSTRIP_LONG") != nullptr;
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "zstrip_frames_of_fit";
-  std::filesystem::create_directories(folder);
+  const test::OwnFolder own;
+  const std::filesystem::path& folder = own.path();
   std::vector<std::string> models = kLit;
   if (all) {
     for (const char* name : {"fox/fox", "fox/island", "train/train", "train/land", "watch/dial", "watch/strap",

@@ -11,6 +11,7 @@
 
 #include "call_graph.hpp"
 #include "elf_file.hpp"
+#include "own_folder.hpp"
 #include "reader_name.hpp"
 
 namespace zstrip::budget {
@@ -194,7 +195,8 @@ TEST(Budget, ProgramsThatAreCutShortAreErrors) {
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
   EXPECT_GT(read_elf(program).size_of(".text"), 1000U);
   // The headers of sections are the last part of the file.
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "zstrip_budget_cut.elf";
+  const sim::test::OwnFolder folder;
+  const std::filesystem::path file = folder.path() / "cut.elf";
   for (std::size_t size = 0; size < bytes.size(); size += size < 128 ? 1 : size / 16) {
     std::ofstream(file, std::ios::binary) << std::string_view(bytes).substr(0, size);
     EXPECT_THROW(read_elf(file), std::runtime_error) << size;

@@ -16,27 +16,17 @@
 
 namespace zstrip::sim::test {
 
-FolderTest::FolderTest() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "zstrip-test-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  folder_ = pattern;
-}
-
-FolderTest::~FolderTest() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-}
-
 std::string FolderTest::file(const std::string& name, const std::string& content) const {
-  std::ofstream(folder_ / name, std::ios::binary) << content;
+  std::ofstream(path(name), std::ios::binary) << content;
   return path(name);
 }
 
 std::vector<std::string> FolderTest::files() const {
   std::vector<std::string> names;
   std::error_code ignored;  // of links in a circle
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
-    if (entry.is_regular_file(ignored)) names.push_back(std::filesystem::relative(entry.path(), folder_).string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path())) {
+    if (entry.is_regular_file(ignored))
+      names.push_back(std::filesystem::relative(entry.path(), folder_.path()).string());
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -9,22 +9,21 @@
 #include <string>
 #include <vector>
 
+#include "own_folder.hpp"
+
 namespace zstrip::sim::test {
 
 /// A fresh folder for each test, removed at its end.
 class FolderTest : public ::testing::Test {
  protected:
-  FolderTest();
-  ~FolderTest() override;
-
   /// Writes a file into the folder and returns its path.
   std::string file(const std::string& name, const std::string& content) const;
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
   /// Names of all files in the folder and below, sorted, hidden ones included.
   std::vector<std::string> files() const;
 
  private:
-  std::filesystem::path folder_;
+  OwnFolder folder_;
 };
 
 std::string read(const std::filesystem::path& path);
