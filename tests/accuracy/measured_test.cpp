@@ -149,7 +149,9 @@ TEST(MeasuredAccuracy, CausesAreThoseOfAFreshRun) {
   for (const char* name : {"cube", "spheres", "teapot", "wires"}) {
     const auto scene = AccuracyScene::open({.scene = name, .view = {160, 120}, .frames = 2, .firmware = ""});
     ASSERT_TRUE(scene);
-    for (const CauseCase& wanted : cause_cases(**scene, *parse_knobs("all"))) {
+    const std::vector<CauseCase> cases = cause_cases(**scene, *parse_knobs("all"));
+    EXPECT_GT(cases.size(), 10U);
+    for (const CauseCase& wanted : cases) {
       const RecordedTable::Row* row =
           recorded.find({name, std::string(info(wanted.cause).name), words(wanted.settings)});
       ASSERT_NE(row, nullptr) << info(wanted.cause).name << ", " << to_text(wanted.settings) << " of "

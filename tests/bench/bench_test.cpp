@@ -105,6 +105,7 @@ TEST(ChildProcess, MuchOutputIsCutOff) {
   const Result<ChildOutput> output = run_program({"head", "-c", "100000000", "/dev/zero"}, seconds{60});
   ASSERT_TRUE(output);
   EXPECT_EQ(output->exit_status, 0);
+  EXPECT_GT(output->text.size(), 60'000'000U);
   EXPECT_LT(output->text.size(), 70'000'000U);
 }
 
@@ -129,7 +130,9 @@ TEST(BenchReport, AbsentFiguresAreNull) {
 
 // Regression: programs of the visibility methods were asked for the workload "scene", which only those of files have.
 TEST(BoardBench, WordsOfAProgramNameItsWorkload) {
-  for (const BenchCase& bench_case : board_visibility_cases()) {
+  const std::vector<BenchCase> cases = board_visibility_cases();
+  EXPECT_EQ(cases.size(), 40U);
+  for (const BenchCase& bench_case : cases) {
     EXPECT_EQ(board_words(bench_case).rfind(",arg=workload=" + bench_case.workload + ",", 0), 0U);
     EXPECT_NE(board_words(bench_case).find(",arg=depth=" + bench_case.depth), std::string::npos);
   }
@@ -177,6 +180,7 @@ TEST(BenchCommand, StripRowsChangeMemoryButNoPixel) {
 
 /// The model of a package goes to boards as a baked scene.
 TEST(BenchCommand, DrawsModelsOfPackages) {
+  ASSERT_GE(model_workloads().size(), 1U);
   for (const Workload& workload : model_workloads()) {
     std::vector<std::string> options{"--workload", std::string(workload.name), "--size", "64x48", "--frames", "2"};
     if (workload.built_in() == nullptr) {

@@ -59,6 +59,7 @@ class Choice : public testing::TestWithParam<Workload> {
 TEST_P(Choice, IsNearTheBestOfItsBudget) {
   const double least = planned({.bytes = 1, .split_columns = true, .strip_buffers = 1}).status.needed;
   const double most = static_cast<double>(all_bytes(planned({.strip_buffers = 1}).plan));
+  int compared = 0;
   for (int point = 0; point <= kBudgets; ++point) {
     const auto bytes =
         static_cast<std::uint32_t>(std::ceil(least * std::pow(most / least, static_cast<double>(point) / kBudgets)));
@@ -76,11 +77,16 @@ TEST_P(Choice, IsNearTheBestOfItsBudget) {
           }
         }
       }
+      if (best == UINT64_MAX) continue;  // only the planner's own rows fit
+      ++compared;
+      EXPECT_GT(counted(chosen), 0U);
+      EXPECT_GT(best, 0U);
       EXPECT_LE(static_cast<double>(counted(chosen)) / static_cast<double>(best), split ? kMaxRatioOfTiles : kMaxRatio)
           << bytes << " bytes: " << (chosen.mode == Mode::binned ? "binned, " : "streamed, ") << chosen.strip_columns
           << 'x' << chosen.strip_rows;
     }
   }
+  EXPECT_GT(compared, kBudgets);
 }
 
 /// What moves has no program with bins.
