@@ -41,8 +41,14 @@ begins() { output=$(timeout 60 bash "$here/guest.sh" "$folder" "$folder/guest" 2
 apt 'case "$*" in *" download "*) echo byte >package.deb ;; esac'
 begins
 [ -s "$folder/guest/downloads/kernels" ] && [ ! -e "$folder/guest/armhf" ] || { echo "not the downloads alone: $output"; failed=1; }
-flock "$folder/guest/downloads/lock" sleep 2 &
-sleep 1
-begins
-grep -qF "waiting for downloads that have begun" <<<"$output" || { echo "does not wait for others' downloads: $output"; failed=1; }
+exec 7>>"$folder/guest/downloads/lock"
+flock 7
+timeout 60 bash "$here/guest.sh" "$folder" "$folder/guest" >"$folder/said" 2>&1 7>&- &
+for ((tenths = 0; tenths < 500; ++tenths)); do
+  if grep -qF "waiting for downloads that have begun" "$folder/said"; then break; fi
+  sleep 0.1
+done
+[ "$tenths" -lt 500 ] || { echo "does not wait for others' downloads: $(cat "$folder/said")"; failed=1; }
+flock --unlock 7
+wait $! || { echo "downloads that had to wait end with $?: $(cat "$folder/said")"; failed=1; }
 exit "$failed"

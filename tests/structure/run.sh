@@ -101,9 +101,14 @@ for arguments in "--help" "bench --help" "render -h" "--version"; do
   [ "$output" = "ran zstrip $arguments" ] || { echo "host-sim/run $arguments waits for a build: $output"; failed=1; }
 done
 asks_not .
-(sleep 1; flock --unlock 8) &
-output=$(run scenes)
-wait $!
+run scenes >"$tree/said" &
+for ((tenths = 0; tenths < 600; ++tenths)); do
+  if grep -q waiting "$tree/said"; then break; fi
+  sleep 0.1
+done
+flock --unlock 8
+wait $! || true
+output=$(cat "$tree/said")
 [ "$output" = $'zstrip: another zstrip build runs (process 7 is building); waiting\nran zstrip scenes' ] ||
   { echo "does not say what it waits for: $output"; failed=1; }
 exec 8>&-
