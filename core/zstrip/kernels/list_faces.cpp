@@ -13,20 +13,21 @@ namespace zstrip::detail {
 #if ZSTRIP_HAS_THUMB1 || ZSTRIP_HAS_THUMB2
 
 // clang-format off
-#define ZSTRIP_FACE_LISTS(field, number) \
-  field(faces, FaceLists, for_top, 0)    \
-  field(faces, FaceLists, for_bottom, 4) \
-  field(faces, FaceLists, inverse, 8)    \
-  field(faces, FaceLists, strips, 12)    \
-  field(faces, FaceLists, lists, 16)     \
-  field(faces, FaceLists, slots, 20)     \
-  field(faces, FaceLists, batch, 24)     \
-  field(faces, FaceLists, bins, 28)      \
-  field(faces, FaceLists, vertices, 32)  \
-  field(faces, FaceLists, last, 36)      \
-  field(faces, FaceLists, end, 40)       \
-  field(list, BinList, next, 0)          \
-  field(list, BinList, batch, 4)         \
+#define ZSTRIP_FACE_LISTS(field, number)                           \
+  field(faces, FaceLists, for_top, 0)                              \
+  field(faces, FaceLists, for_bottom, 4)                           \
+  field(faces, FaceLists, inverse, 8)                              \
+  number(faces.inverse_high, offsetof(FaceLists, inverse) + 2, 10) \
+  field(faces, FaceLists, strips, 12)                              \
+  field(faces, FaceLists, lists, 16)                               \
+  field(faces, FaceLists, slots, 20)                               \
+  field(faces, FaceLists, batch, 24)                               \
+  field(faces, FaceLists, bins, 28)                                \
+  field(faces, FaceLists, vertices, 32)                            \
+  field(faces, FaceLists, last, 36)                                \
+  field(faces, FaceLists, end, 40)                                 \
+  field(list, BinList, next, 0)                                    \
+  field(list, BinList, batch, 4)                                   \
   number(list.size, sizeof(BinList), 8)
 // clang-format on
 ZSTRIP_CHECK_LAYOUT(ZSTRIP_FACE_LISTS)

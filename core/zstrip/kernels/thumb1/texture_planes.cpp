@@ -30,6 +30,7 @@ namespace zstrip::detail {
     .set .Lstack.u_2, 68
     .set .Lstack.v_2, 76
     .set .Lstack.size, 84
+    .set .Lhigh_word, 4               @ of 64 bits
 
     @ u/w and v/w of the vertex \vertex, whose 1/w is at \at, to r7, and what zstrip_texture_product does.
     .macro zstrip_texture_vertex vertex at
@@ -51,7 +52,7 @@ namespace zstrip::detail {
     @ r0: the product at \at, shifted by r5. Uses r1.
     .macro zstrip_texture_word at
       ldr   r1, [sp, #\at]
-      ldr   r0, [sp, #\at + 4]
+      ldr   r0, [sp, #\at + .Lhigh_word]
       lsls  r0, r0, #1
       lsls  r0, r0, r6
       lsrs  r1, r1, r5
@@ -73,7 +74,7 @@ namespace zstrip::detail {
     str   r1, [sp, #.Lstack.scan]
     str   r0, [sp, #.Lstack.planes]
     ldr   r0, [sp, #.Lstack.size + .Lsaved]
-    ldr   r1, [sp, #.Lstack.size + .Lsaved + 4]
+    ldr   r1, [sp, #.Lstack.size + .Lsaved + .Lhigh_word]
     ldm   r2!, {r4-r6}
     mov   r8, r4
     mov   r9, r5

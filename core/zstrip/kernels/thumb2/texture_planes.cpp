@@ -24,6 +24,7 @@ namespace zstrip::detail {
     .set .Lstack.v_over_w, 32         @ later v/w at vertex 0 and its differences
     .set .Lstack.one_over_w, 56       @ at vertex 0, and its differences
     .set .Lstack.size, 72
+    .set .Ldifference_2, 8            @ behind the value at vertex 0: the difference to vertex 2
 
     @ A texture coordinate times 1/w, to offset \at of the stack. Collects in r3 and lr the words of its magnitude. Takes
     @ r0 to r2.
@@ -91,7 +92,7 @@ namespace zstrip::detail {
     subs  r1, r4, r7
     subs  r2, r5, r7
     strd  r7, r1, [sp, #.Lstack.one_over_w]
-    str   r2, [sp, #.Lstack.one_over_w + 8]
+    str   r2, [sp, #.Lstack.one_over_w + .Ldifference_2]
     movs  r3, #0
     mov   lr, r3
     zstrip_texture_product r8, r7, .Lstack.u_0
@@ -118,7 +119,7 @@ namespace zstrip::detail {
     subs  r5, r5, r4
     subs  r6, r6, r4
     strd  r4, r5, [sp, #.Lstack.v_over_w]
-    str   r6, [sp, #.Lstack.v_over_w + 8]
+    str   r6, [sp, #.Lstack.v_over_w + .Ldifference_2]
     zstrip_texture_shifted r1, r4, .Lstack.u_0
     zstrip_texture_shifted r5, r4, .Lstack.u_1
     zstrip_texture_shifted r6, r4, .Lstack.u_2
