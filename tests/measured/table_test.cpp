@@ -1,5 +1,6 @@
 // The comparison of figures itself: it complains in both directions, by how much, and what agrees changes no file.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -22,7 +23,8 @@ Table small_table() {
 
 std::filesystem::path scratch_file() {
   return std::filesystem::path(testing::TempDir()) /
-         (std::string("zstrip_measured_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+         (std::string("zstrip_measured_") + testing::UnitTest::GetInstance()->current_test_info()->name() + '_' +
+          std::to_string(::getpid()));
 }
 
 TEST(Measured, AgreesUpToItsToleranceInBothDirections) {
