@@ -6,26 +6,58 @@
 #include <utility>
 
 #include "zstrip/overlay.hpp"
+#include "zstrip/scene/parts.hpp"
 
 namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts these values on such targets.
 constexpr std::uint64_t kSceneBytes = 116, kCameraBytes = 64, kMeshBytes = 80;
+constexpr std::uint64_t kOverlayBytes = 32, kImageBytes = 24, kFontBytes = 28, kLabelBytes = 24;
+/// The bytes of records with addresses.
+constexpr std::uint64_t bytes_with_addresses(const Mesh&) { return kMeshBytes; }
+constexpr std::uint64_t bytes_with_addresses(const Texture&) { return 12; }
+constexpr std::uint64_t bytes_with_addresses(const LineSet&) { return 64; }
+constexpr std::uint64_t bytes_with_addresses(const EdgeSet&) { return 12; }
+std::uint64_t bytes_with_addresses(const Overlay& overlay) {
+  return kOverlayBytes + overlay.images.size() * kImageBytes + overlay.fonts.size() * kFontBytes +
+         overlay.labels.size() * kLabelBytes;
+}
+template <class Record>
+concept HasAddresses = requires(const Record& record) {
+  bytes_with_addresses(record);
+};
+
+/// Sums up the bytes of the scene's records, without their tables.
+class RecordBytes {
+ public:
+  template <class Record>
+  void add(std::span<const Record> records) {
+    for (const Record& record : records) add(&record);
+  }
+  template <class Record>
+  void add(const Record* record) {
+    if (record == nullptr) return;
+    if constexpr (HasAddresses<Record>) {
+      with_addresses += bytes_with_addresses(*record);
+    } else {
+      others += sizeof(Record);
+    }
+  }
+  void add(const Colour&) {}  // the scene itself holds it
+
+  std::uint64_t with_addresses = 0, others = 0;
+};
+
+RecordBytes record_bytes(const Scene& scene) {
+  RecordBytes bytes;
+  detail::for_each_part(scene, [&bytes](const char*, const auto& part) { bytes.add(part); });
+  return bytes;
+}
 
 }  // namespace
 
-std::uint64_t table_bytes(const Scene& scene) {
-  constexpr std::uint64_t kOverlayBytes = 32, kImageBytes = 24, kFontBytes = 28, kLabelBytes = 24;
-  std::uint64_t overlay = 0;
-  if (scene.overlay != nullptr) {
-    overlay = kOverlayBytes + scene.overlay->images.size() * kImageBytes + scene.overlay->fonts.size() * kFontBytes +
-              scene.overlay->labels.size() * kLabelBytes;
-  }
-  constexpr std::uint64_t kTextureBytes = 12, kLineSetBytes = 64, kEdgeSetBytes = 12;
-  return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes + scene.lines.size() * kLineSetBytes +
-         scene.edges.size() * kEdgeSetBytes + overlay;
-}
+std::uint64_t table_bytes(const Scene& scene) { return record_bytes(scene).with_addresses; }
 
 FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree, const BakedSkins& skins,
                        std::span<const DetailLevel> levels) {
@@ -81,11 +113,8 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
       if (skins.find(i) != nullptr && skins.find_morph(i) != nullptr) bytes.tables += kMeshBytes;
     }
   }
-  bytes.tables += levels.size_bytes() + table_bytes(scene) + scene.materials.size_bytes() +
-                  scene.instances.size_bytes() + scene.quadrics.size_bytes() + scene.lights.size_bytes() +
-                  scene.finishes.size_bytes() + scene.outlines.size_bytes() + scene.csg.size_bytes() +
-                  scene.punctual_lights.size_bytes() + (scene.fog != nullptr ? sizeof(Fog) : 0) +
-                  (scene.shadow != nullptr ? sizeof(Shadow) : 0) + kSceneBytes + kCameraBytes;
+  const RecordBytes records = record_bytes(scene);
+  bytes.tables += levels.size_bytes() + records.with_addresses + records.others + kSceneBytes + kCameraBytes;
   return bytes;
 }
 

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "bake/effects_found.hpp"
@@ -15,9 +18,44 @@
 #include "text/number.hpp"
 #include "text/text.hpp"
 #include "zstrip/overlay.hpp"
+#include "zstrip/scene/parts.hpp"
 
 namespace zstrip::sim {
 namespace {
+
+template <class Record>
+constexpr const char* kTypeName = nullptr;
+template <>
+constexpr const char* kTypeName<Material> = "zstrip::Material";
+template <>
+constexpr const char* kTypeName<Instance> = "zstrip::Instance";
+template <>
+constexpr const char* kTypeName<DirectionalLight> = "zstrip::DirectionalLight";
+template <>
+constexpr const char* kTypeName<Fog> = "zstrip::Fog";
+template <>
+constexpr const char* kTypeName<Finish> = "zstrip::Finish";
+template <>
+constexpr const char* kTypeName<PunctualLight> = "zstrip::PunctualLight";
+template <>
+constexpr const char* kTypeName<Quadric> = "zstrip::Quadric";
+template <>
+constexpr const char* kTypeName<Outline> = "zstrip::Outline";
+template <>
+constexpr const char* kTypeName<Shadow> = "zstrip::Shadow";
+template <>
+constexpr const char* kTypeName<CsgOperand> = "zstrip::CsgOperand";
+
+/// Returns the constant's name for a member of the scene: kPunctualLights for punctual_lights.
+std::string constant_name(std::string_view member) {
+  std::string name = "k";
+  bool begins_word = true;
+  for (const char letter : member) {
+    if (letter != '_') name += begins_word ? static_cast<char>(std::toupper(letter)) : letter;
+    begins_word = letter == '_';
+  }
+  return name;
+}
 
 /// Builds the text of a scene.
 class Header {
@@ -162,49 +200,54 @@ class Header {
   }
 
   void scene() {
-    std::string meshes = "{}", textures = "{}";
+    // Before the walk, because headers have these tables first.
+    mesh_table_ = mesh_table();
+    texture_table_ = texture_table();
+    std::string parts;
+    bool is_common = true;
+    detail::for_each_part(scene_, [&](const char* member, const auto& part) {
+      const std::string value = initializer(member, part);
+      if (is_common || value != "{}") {
+        parts += fmt::format("{}.{} = {}", parts.empty() ? "" : fmt::format(",\n{:38}", ""), member, value);
+      }
+      // All headers have the parts up to the background.
+      if (std::string_view(member) == "background") is_common = false;
+    });
+    out_.line(fmt::format("\ninline constexpr zstrip::Scene kScene{{{}}};", parts));
+  }
+
+  std::string mesh_table() {
     if (bends()) {
-      meshes = "kMeshes";
       add_moving_meshes(scene_.meshes.size(), skins_, meshes_, out_);
     } else if (!meshes_.empty()) {
-      meshes = "kMeshes";
       out_.line(fmt::format("\ninline constexpr zstrip::Mesh kMeshes[{}] = {{\n{}}};", scene_.meshes.size(), meshes_));
+    } else {
+      return "{}";
     }
-    if (!textures_.empty()) {
-      textures = "kTextures";
-      out_.line(
-          fmt::format("inline constexpr zstrip::Texture kTextures[{}] = {{\n{}}};", scene_.textures.size(), textures_));
-    }
-    const std::string materials = out_.array("zstrip::Material", "kMaterials", scene_.materials);
-    const std::string instances = out_.array("zstrip::Instance", "kInstances", scene_.instances);
-    const std::string lights = out_.array("zstrip::DirectionalLight", "kLights", scene_.lights);
-    std::string more;
-    const auto add = [&more](const char* member, const std::string& value) {
-      more += fmt::format(",\n{:38}.{} = {}", "", member, value);
-    };
-    if (scene_.fog != nullptr) {
-      out_.array("zstrip::Fog", "kFog", std::span(scene_.fog, 1));
-      add("fog", "kFog");
-    }
-    if (!scene_.finishes.empty()) add("finishes", out_.array("zstrip::Finish", "kFinishes", scene_.finishes));
-    if (!scene_.punctual_lights.empty()) {
-      add("punctual_lights", out_.array("zstrip::PunctualLight", "kPunctualLights", scene_.punctual_lights));
-    }
-    if (!scene_.quadrics.empty()) add("quadrics", out_.array("zstrip::Quadric", "kQuadrics", scene_.quadrics));
-    if (!scene_.lines.empty()) add("lines", lines());
-    if (!scene_.outlines.empty()) add("outlines", out_.array("zstrip::Outline", "kOutlines", scene_.outlines));
-    if (scene_.shadow != nullptr) {
-      out_.array("zstrip::Shadow", "kShadow", std::span(scene_.shadow, 1));
-      add("shadow", "kShadow");
-    }
-    if (!scene_.csg.empty()) add("csg", out_.array("zstrip::CsgOperand", "kCsg", scene_.csg));
-    if (!scene_.edges.empty()) add("edges", edges());
-    if (scene_.overlay != nullptr) add("overlay", overlay(*scene_.overlay));
-    out_.line(fmt::format(
-        "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
-        "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
-        meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background), more,
-        fmt::arg("pad", "                                      ")));
+    return "kMeshes";
+  }
+
+  std::string texture_table() {
+    if (textures_.empty()) return "{}";
+    out_.line(
+        fmt::format("inline constexpr zstrip::Texture kTextures[{}] = {{\n{}}};", scene_.textures.size(), textures_));
+    return "kTextures";
+  }
+
+  // These write the data of a part of the scene and return its initializer: "{}" if there is none.
+  std::string initializer(const char*, std::span<const Mesh>) { return mesh_table_; }
+  std::string initializer(const char*, std::span<const Texture>) { return texture_table_; }
+  std::string initializer(const char*, std::span<const LineSet> sets) { return sets.empty() ? "{}" : lines(); }
+  std::string initializer(const char*, std::span<const EdgeSet> sets) { return sets.empty() ? "{}" : edges(); }
+  std::string initializer(const char*, const Overlay* part) { return part == nullptr ? "{}" : overlay(*part); }
+  std::string initializer(const char*, const Colour& colour) { return literal(colour); }
+  template <class Record>
+  std::string initializer(const char* member, std::span<const Record> records) {
+    return out_.array(kTypeName<Record>, constant_name(member), records);
+  }
+  template <class Record>
+  std::string initializer(const char* member, const Record* record) {
+    return record == nullptr ? "{}" : out_.array(kTypeName<Record>, constant_name(member), std::span(record, 1));
   }
 
   std::string lines() {
@@ -388,7 +431,8 @@ class Header {
   const BakedScene& baked_;
   const Scene& scene_;
   const BakedSkins& skins_;
-  std::string meshes_, textures_;
+  std::string meshes_, textures_;           ///< records, without the arrays' definitions
+  std::string mesh_table_, texture_table_;  ///< initializers of the scene's members
   HeaderText out_;
 };
 

@@ -6,6 +6,7 @@
 #include "zstrip/effects/edges/apron.hpp"
 #include "zstrip/effects/overlay/text_line.hpp"
 #include "zstrip/overlay.hpp"
+#include "zstrip/scene/parts.hpp"
 #include "zstrip/state/bounds.hpp"
 #include "zstrip/state/digest.hpp"
 
@@ -56,26 +57,32 @@ Digest digest_of_background(const FrameState& frame) {
   return digest;
 }
 
-/// Adds the settings that every surface may depend on.
+template <class Record>
+void add_setting(Digest& digest, std::span<const Record> records) {
+  digest.add_all(records);
+}
+template <class Record>
+void add_setting(Digest& digest, const Record* record) {
+  digest.add_one(record);
+}
+/// The background is in its own digest, too.
+void add_setting(Digest& digest, const Colour& colour) { digest.add(colour); }
+// These parts change only the strips that they touch. Strips with hulls of outlines have no fingerprint.
+void add_setting(Digest&, std::span<const Instance>) {}
+void add_setting(Digest&, std::span<const Quadric>) {}
+void add_setting(Digest&, std::span<const LineSet>) {}
+void add_setting(Digest&, std::span<const Outline>) {}
+void add_setting(Digest&, const Overlay*) {}
+
+/// Adds the settings that every surface may depend on. A new part of scenes is one of them unless it is named above.
 void add_settings(Digest& digest, const FrameState& frame, const Camera& camera) {
-  const Scene& scene = *frame.scene;
   for (const Vec3& axis : {camera.right, camera.up, camera.back, camera.eye}) digest.add(axis);
   for (const Fixed length : {camera.focal, camera.near_plane, camera.far_plane}) digest.add(length);
   digest.add(static_cast<std::uint32_t>(camera.projection) << 1U | std::uint32_t{camera.fixed_depth_range});
   // Depth codes depend on the depths of all instances.
   digest.add(frame.fit.near);
   digest.add(frame.fit.far);
-  digest.add(scene.ambient);
-  digest.add_all(scene.lights);
-  digest.add_all(scene.punctual_lights);
-  digest.add_one(scene.fog);
-  digest.add_one(scene.shadow);
-  digest.add_all(scene.materials);
-  digest.add_all(scene.finishes);
-  digest.add_all(scene.textures);
-  digest.add_all(scene.meshes);
-  digest.add_all(scene.csg);
-  digest.add_all(scene.edges);
+  for_each_part(*frame.scene, [&digest](const char*, const auto& part) { add_setting(digest, part); });
 }
 
 /// True if outlines were added to the frame, whose hulls are wider than their boxes.

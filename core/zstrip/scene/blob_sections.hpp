@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "zstrip/animation.hpp"
 #include "zstrip/base/fixed.hpp"
@@ -17,6 +18,7 @@
 #include "zstrip/overlay.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
+#include "zstrip/scene/parts.hpp"
 #include "zstrip/skin.hpp"
 
 namespace zstrip::blob_layout {
@@ -286,5 +288,40 @@ constexpr bool is_in_order() {
   return order.holds;
 }
 static_assert(is_in_order());
+
+/// A visitor that looks for a part of the scene among the sections.
+struct Search {
+  const void* part;
+  bool found = false;
+  template <class Where>
+  constexpr void operator()(Tag, const Where& where) {
+    found = found || static_cast<const void*>(&where) == part;
+  }
+  template <class Where>
+  constexpr void needed(Tag tag, const Where& where) {
+    (*this)(tag, where);
+  }
+};
+
+/// True for the parts of a scene that a blob holds in another form: arrays of arrays as records and pools, both colours
+/// in BASE, an overlay in several sections.
+template <class Part>
+constexpr bool kInOtherForm =
+    std::is_same_v<Part, std::span<const Mesh>> || std::is_same_v<Part, std::span<const Texture>> ||
+    std::is_same_v<Part, std::span<const LineSet>> || std::is_same_v<Part, std::span<const EdgeSet>> ||
+    std::is_same_v<Part, Colour> || std::is_same_v<Part, const Overlay*>;
+
+constexpr bool holds_every_part() {
+  const SceneBlob blob;
+  const Records records;
+  bool holds = true;
+  detail::for_each_part(blob.scene, [&]<class Part>(const char*, const Part& part) {
+    Search search{&part, kInOtherForm<Part>};
+    for_each_section(blob, records, search);
+    holds = holds && search.found;
+  });
+  return holds;
+}
+static_assert(holds_every_part(), "a new part of a scene needs a section");
 
 }  // namespace zstrip::blob_layout
