@@ -72,7 +72,7 @@ struct Outline {
 /// The role of a mesh's instances in Scene::shadow. Use only_receives for a floor: the whole map is then available to
 /// the casters.
 enum class ShadowRole : std::uint8_t {
-  casts_and_receives,  ///< casts no shadow: for a floor
+  casts_and_receives,  ///< casts a shadow, and shadows darken it
   only_receives,       ///< it casts no shadow: a floor
   only_casts,          ///< lit as in a scene without shadows
   none,                ///< it neither casts nor receives shadows
