@@ -125,11 +125,11 @@ bool differ(Random& random, std::uint32_t number, Outcome& outcome) {
     constexpr bool kGouraud = shade == Shade::gouraud;
     if (!by_words && draw_medium<kGouraud>(triangle, colours, kFlat)) return true;
     if constexpr (kGouraud) {
-      if (by_words && draw_medium_gouraud_portable(triangle, colours)) return true;
-      return draw_cut_gouraud_portable(triangle, colours);
+      if (by_words && draw_medium_gouraud_by_rows(triangle, colours)) return true;
+      return draw_cut_gouraud_by_rows(triangle, colours);
     } else {
-      if (by_words && draw_medium_flat_portable(triangle, kFlat)) return true;
-      return draw_cut_flat_portable(triangle, kFlat);
+      if (by_words && draw_medium_flat_by_rows(triangle, kFlat)) return true;
+      return draw_cut_flat_by_rows(triangle, kFlat);
     }
   };
   if (!drawn(number % 8 < 4)) return false;

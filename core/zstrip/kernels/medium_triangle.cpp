@@ -1,12 +1,12 @@
 // Draws a medium triangle: its planes, its rows down to the middle vertex, then the other rows.
-#include "zstrip/kernels/portable/medium_triangle.hpp"
+#include "zstrip/kernels/medium_triangle.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
 
-#include "zstrip/kernels/medium_triangle.hpp"
+#include "zstrip/kernels/portable/medium_triangle.hpp"
 #include "zstrip/kernels/portable/triangle_rows.hpp"
 
 namespace zstrip::detail {
@@ -126,19 +126,19 @@ void set_medium_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVer
   edge.remainder -= edge.denominator;
 }
 
-bool draw_medium_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
+bool draw_medium_gouraud_by_rows(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
   return draw<true>(triangle, colours, 0);
 }
 
-bool draw_medium_flat_portable(const MediumTriangle& triangle, std::uint16_t colour) {
+bool draw_medium_flat_by_rows(const MediumTriangle& triangle, std::uint16_t colour) {
   return draw<false>(triangle, nullptr, colour);
 }
 
-bool draw_cut_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
+bool draw_cut_gouraud_by_rows(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
   return draw_cut<true>(triangle, colours, 0);
 }
 
-bool draw_cut_flat_portable(const MediumTriangle& triangle, std::uint16_t colour) {
+bool draw_cut_flat_by_rows(const MediumTriangle& triangle, std::uint16_t colour) {
   return draw_cut<false>(triangle, nullptr, colour);
 }
 

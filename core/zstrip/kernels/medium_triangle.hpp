@@ -25,6 +25,12 @@ inline constexpr bool kHasMediumTriangles = kHasVectors || (sizeof(void*) == 4 &
 /// True if draw_cut_medium draws triangles.
 inline constexpr bool kHasCutMedium = kHasMediumTriangles && !kHasVectors;
 
+// Row by row, with the planes and rows of this processor; the last two for draw_cut_medium.
+bool draw_medium_gouraud_by_rows(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
+bool draw_medium_flat_by_rows(const MediumTriangle& triangle, std::uint16_t colour);
+bool draw_cut_gouraud_by_rows(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
+bool draw_cut_flat_by_rows(const MediumTriangle& triangle, std::uint16_t colour);
+
 /// Sets up the planes of a triangle for which fits_words is true, from the scan's area, anchor and colours. Returns
 /// false if a channel is too steep.
 inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2) {
@@ -45,8 +51,8 @@ bool draw_medium(const MediumTriangle& triangle, const Colour* const (&colours)[
     if constexpr (gouraud) return draw_medium_gouraud_vector(triangle, colours);
     return draw_medium_flat_vector(triangle, flat_colour);
   } else {
-    if constexpr (gouraud) return draw_medium_gouraud_portable(triangle, colours);
-    return draw_medium_flat_portable(triangle, flat_colour);
+    if constexpr (gouraud) return draw_medium_gouraud_by_rows(triangle, colours);
+    return draw_medium_flat_by_rows(triangle, flat_colour);
   }
 }
 
@@ -54,8 +60,8 @@ bool draw_medium(const MediumTriangle& triangle, const Colour* const (&colours)[
 template <bool gouraud>
 bool draw_cut_medium(const MediumTriangle& triangle, const Colour* const (&colours)[3], std::uint16_t flat_colour) {
   if constexpr (!kHasCutMedium) return false;
-  if constexpr (gouraud) return draw_cut_gouraud_portable(triangle, colours);
-  return draw_cut_flat_portable(triangle, flat_colour);
+  if constexpr (gouraud) return draw_cut_gouraud_by_rows(triangle, colours);
+  return draw_cut_flat_by_rows(triangle, flat_colour);
 }
 
 }  // namespace zstrip::detail

@@ -87,7 +87,8 @@ inline void fill_blocks_portably(PixelPairs* to, std::uint32_t pair, std::uint32
 }
 inline void fill_blocks(PixelPairs* to, std::uint32_t pair, std::uint32_t blocks) {
 #if defined(__arm__)
-  // Compilers make eight stores of the loop; a store-multiple is one instruction.
+  // Compilers make eight stores of the loop; a store-multiple is one instruction. r3 to r6 have the pair four times:
+  // Thumb-1 stores low registers only, and r7 may be the frame pointer.
   asm volatile(
       ".syntax unified\n\t"
       "movs r3, %2\n\tmovs r4, %2\n\tmovs r5, %2\n\tmovs r6, %2\n"

@@ -217,6 +217,10 @@ template <int value>
 
 /// Collects up to four triangles that face the viewer, from `next` to before `end`. Returns the triangle after the
 /// last one that it tested, in the lower word, and the number of collected ones in the upper word.
+//
+// r0 the next free lane, lr the place behind the fourth; r1 the next triangle, r2 the end, r3 the vertices; r4 to r6
+// the corners' indices; r7 to r9 their places, then their differences and the area. The area is tested before anything
+// is stored, because half of the triangles end there.
 [[gnu::naked]] std::uint64_t collect(FourTriangles& /*four*/, const Triangle* /*next*/, const Triangle* /*end*/,
                                      std::uintptr_t /*vertices*/) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MVE_TRIANGLE) R"(
@@ -258,6 +262,11 @@ struct Places {
 
 /// Makes the highest corner the first; if several are, the leftmost of them. Returns the places of the corners, in
 /// pairs. The order of corners grows with y, then x.
+//
+// %3 the triangles, %4 the vertices. q0 to q2 the vertices' offsets, q3 to q5 their places with the sign bit of x
+// inverted: so one signed comparison of words orders them by y, then x. From vpsel on q6, q7 and q4 have the offsets in
+// the new order. The places are loaded again at the end, because the three results need registers that are free only
+// then.
 [[gnu::always_inline]] inline Places rotate(FourTriangles& four, std::uintptr_t vertices) {
   register int16x8_t first asm("q5");
   register int16x8_t second asm("q6");

@@ -86,7 +86,9 @@ namespace zstrip::detail {
   )");
 }
 
-// Between runs all but r0, r1, r4 to r6, r11, q0, q3 and q4 is free.
+// Between runs r0, r1, r4 to r6, r11, q0, q3 and q4 keep what zstrip_eight_texels says; all others are free. r3 has the
+// state. u/w, v/w and 1/w are stepped first, then r12 becomes the reciprocal of 1/w, r7 and r8 the position at the
+// run's end: the position at its start was the last one's end, so that each run needs one division.
 [[gnu::naked]] void fill_runs_mve(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_EIGHT_TEXELS R"(
     .set .Lstack.state, 64            @ below it d8 to d15

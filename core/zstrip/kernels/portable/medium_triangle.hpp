@@ -1,4 +1,4 @@
-// Draws medium triangles in C++ for 32-bit processors: planes by exact products of words, then rows.
+// Planes and rows of medium triangles in C++ for 32-bit processors: planes by exact products of words, then rows.
 #pragma once
 
 #include <bit>
@@ -12,11 +12,6 @@
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
-
-bool draw_medium_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
-bool draw_medium_flat_portable(const MediumTriangle& triangle, std::uint16_t colour);
-bool draw_cut_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
-bool draw_cut_flat_portable(const MediumTriangle& triangle, std::uint16_t colour);
 
 /// Sets the edge from one vertex down to another, at a row, for MediumRows.
 [[gnu::noinline]] void set_medium_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to,

@@ -8,8 +8,9 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
-// A row: the edges; then cell, depth, light and texture at the row's first pixel, in registers; the exact position
-// there and, if the row is longer, at the last pixel; both steps; at last the pixels.
+// A row: the edges; then cell, depth, light and texture at the row's first pixel, in registers, which are listed at
+// .Ltextured_pixel; the exact position there and, if the row is longer, at the last pixel; both steps; at last the
+// pixels.
 [[gnu::naked]] void scan_textured_rows_thumb(TexturedScan&, const LitWordRunState&, std::int32_t, const std::int32_t*) {
   asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_NAMES(ZSTRIP_TEXTURED_SCAN)
           ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_MEDIUM_EDGES R"(

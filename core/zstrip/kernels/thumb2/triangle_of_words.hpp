@@ -32,7 +32,7 @@
   "  asrs  r5, r8, #20\n"                                           \
   "  sbfx  r8, r8, #4, #12\n"                                       \
   "  asrs  r4, r4, #20\n"                                           \
-  "  cmp   r6, #181 << 16\n"                                        \
+  "  cmp   r6, #.Lsmall.extent << 16\n"                             \
   ".endm\n"
 
 #else
@@ -77,7 +77,7 @@
   "  asr   r8, r8, #4\n"                                             \
   "  asrs  r4, r4, #4\n"                                             \
   "  asrs  r5, r5, #4\n"                                             \
-  "  cmp   r6, #181\n"                                               \
+  "  cmp   r6, #.Lsmall.extent\n"                                    \
   ".endm\n"
 
 #endif
