@@ -6,7 +6,7 @@
 #include <span>
 
 #include "zstrip/frame.hpp"
-#include "zstrip/frame/entry_points.hpp"
+#include "zstrip/frame/begin_frame.hpp"
 #include "zstrip/frame/pipeline.hpp"
 #include "zstrip/plan.hpp"
 #include "zstrip/scene/validate.hpp"  // call it before begin_frame

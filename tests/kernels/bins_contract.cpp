@@ -52,7 +52,7 @@ bool list_by_division(Bins& bins, const Rows& rows, std::uint16_t batch, const M
     const Triangle& triangle = meshlet.triangles[i];
     const auto vertex = [&](std::uint16_t index) { return meshlet.vertices[index - Meshlet::kFirstVertex]; };
     const SnappedVertex a = vertex(triangle.a), b = vertex(triangle.b), c = vertex(triangle.c);
-    if (Assembler<kPortable>::narrow_area(a, b, c) <= 0) continue;
+    if (Assembler<kPortable>::Narrow::narrow_area(a, b, c) <= 0) continue;
     const std::int32_t first = (std::min({a.y, b.y, c.y}) >> 4) - rows.area.top;
     const std::int32_t last = (std::max({a.y, b.y, c.y}) >> 4) - rows.area.top - 1;
     const std::int32_t end = rows.plan.strips * rows.plan.strip_rows;

@@ -32,7 +32,7 @@ void draw(const Meshlet& meshlet, const CompiledInstance& instance, const StripT
   alignas(8) std::byte memory[2 * kBinBytes + 16 * kBinChunkBytes];
   Bins bins(memory, sizeof memory, 2);
   for (const std::uint16_t index : meshlet.listed) {
-    const bool shows = instance.double_sided || Assembler<effects>::area_of(batch, triangles[index]) > 0;
+    const bool shows = instance.double_sided || Assembler<effects>::Narrow::area_of(batch, triangles[index]) > 0;
     bins.add(shows ? 0 : 1, 0, index);
   }
   for (std::uint32_t strip = 0; strip < 2; ++strip) {

@@ -1,4 +1,5 @@
-// The functions through which renderers and pipelines call the stages.
+// begin_frame of renderers and pipelines: also begins frames with several samples a pixel, whose strips are drawn in
+// a greater picture.
 #pragma once
 
 #include <span>
@@ -18,14 +19,6 @@ Status begin_frame(FrameState& frame, const Scene& scene, const Camera& camera, 
     }
   }
   return begin_whole_frame<effects>(frame, scene, camera, view, plan, arena);
-}
-template <Effects effects>
-Status draw_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
-  return draw_whole_strip<effects>(frame, strip, pixels);
-}
-template <Effects effects>
-Status draw_over(FrameState& frame, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
-  return draw_whole_over<effects>(frame, area, pixels, depth);
 }
 
 }  // namespace zstrip::detail

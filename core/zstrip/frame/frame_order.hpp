@@ -133,7 +133,7 @@ Status draw_checked_strip(FrameState& frame, std::uint16_t strip, std::byte* pix
 }
 
 template <Effects effects>
-Status draw_whole_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
+Status draw_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
   if (const Status status = check_strip<effects>(frame, strip, pixels); !status) return status;
   // The lambda avoids a call through a function pointer, whose stack bound would be unknown.
   return draw_checked_strip<effects>(
@@ -144,8 +144,7 @@ Status draw_whole_strip(FrameState& frame, std::uint16_t strip, std::span<std::b
 }
 
 template <Effects effects>
-Status draw_whole_over(FrameState& frame, const Rect& area, std::span<std::uint16_t> pixels,
-                       std::span<std::uint16_t> depth) {
+Status draw_over(FrameState& frame, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
   if (frame.scene == nullptr) return {.error = Error::not_begun};
   if (const Status status =
           Stages::until_error<effects>([&](const auto& stage) { return stage.template check_over<effects>(frame); });

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "zstrip/frame/entry_points.hpp"
+#include "zstrip/frame/begin_frame.hpp"
 #include "zstrip/frame/pipeline_rows.hpp"
 
 namespace zstrip::detail {

@@ -87,14 +87,14 @@ class PickedTriangle {
     };
     const SnappedVertex &a = vertex(triangle.a), &b = vertex(triangle.b), &c = vertex(triangle.c);
     if constexpr (!Assembler::kUnclipped) {
-      if (!all_narrow && !Assembler::is_narrow(a, b, c)) {
+      if (!all_narrow && !Assembler::Narrow::is_narrow(a, b, c)) {
         for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) prepare(index);
         return draw_clipped(target, batch, triangle, picked);
       }
     }
     if (NarrowPixel(target.area).misses(a, b, c)) return false;
-    const std::int32_t area = Assembler::narrow_area(a, b, c);
-    if (area == 0 || (area < 0 && !Assembler::shows_both_sides(batch))) return false;
+    const std::int32_t area = Assembler::Narrow::narrow_area(a, b, c);
+    if (area == 0 || (area < 0 && !Assembler::Narrow::shows_both_sides(batch))) return false;
     for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) prepare(index);
     return draw_narrow(target, batch, area > 0 ? triangle : turned_round(triangle), picked);
   }
@@ -111,15 +111,15 @@ class PickedTriangle {
     for (int i = 0; i < 3; ++i) {
       const SnappedVertex& at = snapped(corner[i]);
       v[i].x = at.x, v[i].y = at.y, v[i].depth = at.depth;
-      Assembler::Attributes::template load<Shade::fragments>(batch, corner[i], v[i]);
+      VertexAttributes<kPicking>::template load<Shade::fragments>(batch, corner[i], v[i]);
     }
-    return draw_spans(target, batch, v, Assembler::always_narrow(), picked);
+    return draw_spans(target, batch, v, Assembler::Narrow::always_narrow(), picked);
   }
 
   static bool draw_clipped(const Target& target, const Batch& batch, const Triangle& triangle, Picked& picked) {
     if (ClipperFor<kPicking>::misses_rows(batch, triangle, target.area)) return false;
     RasterPolygon polygon;
-    if (!Assembler::template clip<Shade::fragments>(batch, triangle, polygon)) return false;
+    if (!Assembler::Clipped::template clip<Shade::fragments>(batch, triangle, polygon)) return false;
     if (!polygon.box().touches(target.area)) return false;
     bool shown = false;
     RasterVertex corner[3];
@@ -322,9 +322,8 @@ class Picker {
       if (!quadric.visible) continue;
       const QuadricShade<kPicking> shade{quadric, Materials::texture_of(frame_, quadric.material)};
       const bool shown = draws([&] {
-        Materials::with_depth<kPicking>(frame_, target, quadric.material, [&](const auto& complete) {
-          QuadricFill<kPicking>::draw(complete, quadric, offset, shade);
-        });
+        QuadricFill<kPicking>::draw(Materials::depth_target<kPicking>(frame_, target, quadric.material), quadric,
+                                    offset, shade);
       });
       if (shown) picked = {.shown = Shown::quadric, .index = static_cast<std::uint16_t>(i)};
     }
@@ -342,9 +341,8 @@ class Picker {
       }
       const auto shows = [&](const LineSet& lines) {
         return draws([&] {
-          Materials::with_depth<kPicking>(frame_, target, lines.material, [&](const auto& complete) {
-            LineFill<kPicking>::draw(complete, compiled[i], lines, scene.meshes[lines.mesh], frame_.origin, shade);
-          });
+          LineFill<kPicking>::draw(Materials::depth_target<kPicking>(frame_, target, lines.material), compiled[i],
+                                   lines, scene.meshes[lines.mesh], frame_.origin, shade);
         });
       };
       const Cell before = cell_;
@@ -420,18 +418,17 @@ class Picker {
                   std::uint32_t instance, bool all_narrow, const Visit& visit) {
     const auto first = static_cast<std::uint32_t>(triangles.data() - mesh_of(instance).triangles.data());
     const bool turned = effects.has(effect::outlines) && is_outline(*batch.instance);
-    Materials::with_settings<kPicking>(frame_, target, *batch.instance, [&](const auto& complete) {
-      visit([&](const Triangle& triangle, const auto& prepare, Picked& picked) {
-        Picked found = picked;
-        if (!PickedTriangle<effects>::draw(complete, batch, turned ? turned_round(triangle) : triangle, all_narrow,
-                                           prepare, found)) {
-          return;
-        }
-        found.shown = Shown::instance;
-        found.index = static_cast<std::uint16_t>(instance);
-        found.triangle = first + static_cast<std::uint32_t>(&triangle - triangles.data());
-        picked = found;
-      });
+    const auto& complete = Materials::instance_target<kPicking>(frame_, target, *batch.instance);
+    visit([&](const Triangle& triangle, const auto& prepare, Picked& picked) {
+      Picked found = picked;
+      if (!PickedTriangle<effects>::draw(complete, batch, turned ? turned_round(triangle) : triangle, all_narrow,
+                                         prepare, found)) {
+        return;
+      }
+      found.shown = Shown::instance;
+      found.index = static_cast<std::uint16_t>(instance);
+      found.triangle = first + static_cast<std::uint32_t>(&triangle - triangles.data());
+      picked = found;
     });
   }
 

@@ -15,17 +15,11 @@
 namespace zstrip::detail {
 
 template <Effects effects>
-struct Assembler : NarrowAssembler<effects> {
+struct Assembler {
+  using Clipped = ClippedAssembler<effects>;
   using Narrow = NarrowAssembler<effects>;
-  using Narrow::area_of;
-  using Narrow::is_narrow;
-  using Narrow::kTextures;
-  using Narrow::kTwoSided;
-  using Narrow::narrow_area;
-  using Narrow::shows_both_sides;
-  using typename Narrow::Attributes;
-  using typename Narrow::Batch;
-  using typename Narrow::StripTarget;
+  using Batch = BatchOf<effects>;
+  using StripTarget = TargetOf<effects>;
   static constexpr bool kUnclipped = Narrow::kUnclipped;
   template <Shade shade, bool all_narrow>
   static constexpr bool kSmallRuns = Narrow::template kSmallRuns<shade, all_narrow>;
@@ -36,19 +30,19 @@ struct Assembler : NarrowAssembler<effects> {
                              const TriangleAt& triangle_at) {
     const SnappedVertex* const vertices = batch.vertices;
     const std::uint32_t first = batch.first_vertex;
-    const bool double_sided = shows_both_sides(batch);
+    const bool double_sided = Narrow::shows_both_sides(batch);
     for (std::size_t i = 0; i < count; ++i) {
       const Triangle& triangle = triangle_at(i);
       const SnappedVertex& a = vertices[triangle.a - first];
       const SnappedVertex& b = vertices[triangle.b - first];
       const SnappedVertex& c = vertices[triangle.c - first];
       if constexpr (!all_narrow && !kUnclipped) {
-        if (!is_narrow(a, b, c)) {
-          Narrow::template draw_clipped<shade>(target, batch, triangle);
+        if (!Narrow::is_narrow(a, b, c)) {
+          Clipped::template draw_clipped<shade>(target, batch, triangle);
           continue;
         }
       }
-      const std::int32_t area = narrow_area(a, b, c);
+      const std::int32_t area = Narrow::narrow_area(a, b, c);
       if (area > 0) {
         Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
       } else if (area < 0 && double_sided) {
@@ -59,7 +53,7 @@ struct Assembler : NarrowAssembler<effects> {
 
   template <Shade shade>
   static bool fits_small_runs(const Batch& batch) {
-    return shade == Shade::flat || !shows_both_sides(batch);
+    return shade == Shade::flat || !Narrow::shows_both_sides(batch);
   }
 
   /// Draws triangles from `next` on, up to the first one that is not small or not narrow, and returns its index. Not
@@ -68,14 +62,16 @@ struct Assembler : NarrowAssembler<effects> {
   [[gnu::noinline]] static std::uint32_t draw_small_run(const StripTarget& target, const Batch& batch,
                                                         std::uint32_t next, std::uint32_t count,
                                                         const TriangleAt& triangle_at) {
-    SmallRun run = small_run(target, batch.vertices, Attributes::kColours ? batch.colours : nullptr, batch.first_vertex,
-                             {shade == Shade::flat, shows_both_sides(batch), batch.surface.flat_colour});
+    SmallRun run = small_run(target, batch.vertices, VertexAttributes<effects>::kColours ? batch.colours : nullptr,
+                             batch.first_vertex,
+                             {shade == Shade::flat, Narrow::shows_both_sides(batch), batch.surface.flat_colour});
     if constexpr (all_narrow) return next + detail::draw_small_run(run, &triangle_at(next), count - next);
     const SnappedVertex* const vertices = batch.vertices;
     const std::uint32_t first = batch.first_vertex;
     for (; next < count; ++next) {
       const Triangle& triangle = triangle_at(next);
-      if (!is_narrow(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]) ||
+      if (!Narrow::is_narrow(vertices[triangle.a - first], vertices[triangle.b - first],
+                             vertices[triangle.c - first]) ||
           detail::draw_small_run(run, &triangle, 1) == 0) {
         break;
       }
@@ -93,15 +89,15 @@ struct Assembler : NarrowAssembler<effects> {
       const SnappedVertex& a = batch.vertices[triangle.a - batch.first_vertex];
       const SnappedVertex& b = batch.vertices[triangle.b - batch.first_vertex];
       const SnappedVertex& c = batch.vertices[triangle.c - batch.first_vertex];
-      if (all_narrow || is_narrow(a, b, c)) {
-        const std::int32_t area = narrow_area(a, b, c);
-        if (kHasFlatSmallRuns && kTwoSided && area < 0) {
+      if (all_narrow || Narrow::is_narrow(a, b, c)) {
+        const std::int32_t area = Narrow::narrow_area(a, b, c);
+        if (kHasFlatSmallRuns && Narrow::kTwoSided && area < 0) {
           Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.c, triangle.b, -area);
         } else {
           Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
         }
       } else if constexpr (!kUnclipped) {
-        Narrow::template draw_clipped<shade>(target, batch, triangle);
+        Clipped::template draw_clipped<shade>(target, batch, triangle);
       }
     }
   }
@@ -118,21 +114,10 @@ struct Assembler : NarrowAssembler<effects> {
     draw_triangles<shade, all_narrow>(target, batch, count, triangle_at);
   }
 
-  template <Shade shade>
-  static void draw_shaded(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
-                          bool all_narrow) {
-    const Triangle* const first = triangles.data();
-    const auto in_order = [first](std::size_t i) -> const Triangle& { return first[i]; };
-    if (all_narrow || kUnclipped) {
-      draw_run<shade, true>(target, batch, triangles.size(), in_order);
-    } else {
-      draw_triangles<shade, false>(target, batch, triangles.size(), in_order);
-    }
-  }
-
   /// True if some instance may have this shade.
   static constexpr bool has_shade(Shade shade) {
     constexpr bool kAll = !effects.any(effect::shades);
+    constexpr bool kTextures = effects.has(effect::textures);
     constexpr bool kGouraud = effects.has(effect::gouraud);
     switch (shade) {
       case Shade::flat: return kAll || effects.has(effect::shade_flat);
@@ -191,7 +176,14 @@ struct Assembler : NarrowAssembler<effects> {
                          [triangles](std::size_t i) -> const Triangle& { return triangles[i]; });
       }
     }
-    with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
+    with_shade(batch.instance->shade, [&]<Shade shade>() {
+      const auto in_order = [first = triangles.data()](std::size_t i) -> const Triangle& { return first[i]; };
+      if (all_narrow || kUnclipped) {
+        draw_run<shade, true>(target, batch, triangles.size(), in_order);
+      } else {
+        draw_triangles<shade, false>(target, batch, triangles.size(), in_order);
+      }
+    });
   }
 
   /// Draws the next triangles of the list. All are to be drawn.
@@ -240,7 +232,7 @@ struct Assembler : NarrowAssembler<effects> {
       while (draw_listed_run(target, batch, triangles, list)) {
         const Triangle& triangle = triangles[list.rest()[0]];
         Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c,
-                                            area_of(batch, triangle));
+                                            Narrow::area_of(batch, triangle));
         list.take(1);
       }
     } else {

@@ -21,17 +21,13 @@
 namespace zstrip::detail {
 
 template <Effects effects>
-struct NarrowAssembler : ClippedAssembler<effects> {
+struct NarrowAssembler {
   using Clipped = ClippedAssembler<effects>;
-  using typename Clipped::Attributes;
-  using typename Clipped::Batch;
-  using typename Clipped::StripTarget;
-  template <Shade shade>
-  using SurfaceOf = typename Clipped::template SurfaceOf<shade>;
-  using Clipped::kDepth;
-  using Clipped::kOrthographic;
-  using Clipped::kStatistics;
-  using Clipped::kTextures;
+  using Attributes = VertexAttributes<effects>;
+  using Batch = BatchOf<effects>;
+  using StripTarget = TargetOf<effects>;
+  static constexpr DepthMode kDepth = Clipped::kDepth;
+  static constexpr bool kStatistics = Clipped::kStatistics;
   static constexpr bool kUnclipped = effects.has(effect::unclipped);
   /// `std::true_type` without clipping, so that no code is generated for triangles that are not narrow.
   static constexpr auto always_narrow() {
@@ -110,7 +106,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
   template <Shade shade>
   static constexpr bool kHasMedium = (kIsPlain && kHasMediumTriangles && shade <= Shade::gouraud);
   template <Shade shade>
-  static constexpr bool kHasMediumTexturedOf = (kIsPlain && kHasMediumTextured && kTextures &&
+  static constexpr bool kHasMediumTexturedOf = (kIsPlain && kHasMediumTextured && Clipped::kTextures &&
                                                 shade >= Shade::textured && shade <= Shade::textured_gouraud &&
                                                 (Clipped::kPerspective == 0 ||
                                                  Clipped::kPerspective == kPerspectiveRun));
@@ -228,7 +224,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     constexpr TexelLight kLit = shade == Shade::textured        ? TexelLight::none
                                 : shade == Shade::textured_flat ? TexelLight::flat
                                                                 : TexelLight::smooth;
-    constexpr bool kIsAffine = kOrthographic || Clipped::kPerspective == 0;
+    constexpr bool kIsAffine = Clipped::kOrthographic || Clipped::kPerspective == 0;
     return draw_medium_textured<kLit, kIsAffine>({target, *snapped[0], *snapped[1], *snapped[2], area},
                                                  {corners, colours, batch.surface});
   }
@@ -246,7 +242,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
       v[i].depth = snapped[i]->depth;
       Attributes::template load<shade>(batch, index_of(batch, *snapped[i]), v[i]);
     }
-    SurfaceOf<shade> surface{batch.surface};
+    typename Clipped::template SurfaceOf<shade> surface{batch.surface};
     surface.flat_colour = Attributes::template flat_colour<shade>(batch, provoking);
     Attributes::template take_first_colour<shade>(batch, provoking, v);
     if constexpr (Clipped::template kMayBeLit<shade>) {

@@ -90,7 +90,7 @@ struct Facing {
       return *reinterpret_cast<const SnappedVertex*>(  // NOLINT(performance-no-int-to-ptr)
           vertices + index * sizeof(SnappedVertex));
     };
-    const bool double_sided = Assembler::shows_both_sides(batch);
+    const bool double_sided = Assembler::Narrow::shows_both_sides(batch);
     std::uint32_t i = 0;
     for (const Triangle& listed : triangles) {
       const Triangle& triangle = turn(listed);
@@ -99,7 +99,7 @@ struct Facing {
       const SnappedVertex& b = vertex(triangle.b);
       const SnappedVertex& c = vertex(triangle.c);
       if constexpr (!all_narrow) {
-        if (!Assembler::is_narrow(a, b, c)) {
+        if (!Assembler::Narrow::is_narrow(a, b, c)) {
           RasterPolygon polygon;
           if (ClipperFor<effects>::clip(batch, triangle, polygon) && !visit(index, ClippedPixels{polygon.box()})) {
             return false;
@@ -108,7 +108,7 @@ struct Facing {
         }
       }
       if (rows.miss(a, b, c)) continue;
-      const std::int32_t area = Assembler::narrow_area(a, b, c);
+      const std::int32_t area = Assembler::Narrow::narrow_area(a, b, c);
       if (area <= 0 && (area == 0 || !double_sided)) continue;
       if (!visit(index, NarrowPixels{a, b, c})) return false;
     }

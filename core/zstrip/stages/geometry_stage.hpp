@@ -213,7 +213,7 @@ struct GeometryStage {
     if constexpr (effects.has(effect::edges)) has_apron = edges::has_apron<effects>(frame);
     if constexpr (effects.has(effect::outlines)) is_hull = is_outline(*batch.instance);
     if ((all_narrow || Assembler::kUnclipped) && frame.grid.across() == 1 && !has_apron && !is_hull &&
-        !Assembler::shows_both_sides(batch)) {
+        !Assembler::Narrow::shows_both_sides(batch)) {
       FaceLists faces(frame.bins, frame.grid.vertex_rows(frame.plan.strip_rows), number, batch.vertices,
                       batch.first_vertex);
       return list_faces(faces, range.triangles.data(), static_cast<std::uint32_t>(range.triangles.size()));

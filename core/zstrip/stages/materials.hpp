@@ -102,34 +102,29 @@ struct Materials {
     return settings;
   }
 
-  /// Calls draw(target). The target also has the data of the method and of this material's depth effects.
-  template <Effects effects, class Draw>
-  static void with_depth(FrameState& frame, const StripTarget& target, std::uint16_t material, const Draw& draw) {
+  /// Returns the target with the data of the method and of the material's depth effects: `target` itself if there are
+  /// none.
+  template <Effects effects>
+  static decltype(auto) depth_target(FrameState& frame, const StripTarget& target, std::uint16_t material) {
     if constexpr (effects.methods != 0) {
       MethodState& state = static_cast<MethodFrameState&>(frame).state;
-      draw(StripTargetWithMethod{{target, depth_settings<effects>(frame, material)}, &state});
+      return StripTargetWithMethod{{target, depth_settings<effects>(frame, material)}, &state};
     } else if constexpr (std::is_same_v<TargetFor<depth_mode(effects)>, StripTarget>) {
-      draw(target);
+      return (target);
     } else {
-      draw(StripTargetWithDepth{target, depth_settings<effects>(frame, material)});
+      return StripTargetWithDepth{target, depth_settings<effects>(frame, material)};
     }
   }
 
-  /// Calls draw(target). The target also has the data of the method, of the material's depth effects, and of the
-  /// instance's fragments.
-  template <Effects effects, class Draw>
-  static void with_settings(FrameState& frame, const StripTarget& target, const CompiledInstance& instance,
-                            const Draw& draw) {
-    with_depth<effects>(frame, target, instance.material,
-                        [&](const auto& complete) { with_fragments<effects>(frame, complete, instance, draw); });
-  }
-
-  template <Effects effects, class Target, class Draw>
-  static void with_fragments(const FrameState& frame, const Target& target, const CompiledInstance& instance,
-                             const Draw& draw) {
+  /// Returns the target with the data of the method, of the material's depth effects, and of the instance's fragments:
+  /// `target` itself if there are none.
+  template <Effects effects>
+  static decltype(auto) instance_target(FrameState& frame, const StripTarget& target,
+                                        const CompiledInstance& instance) {
+    decltype(auto) with_depth = depth_target<effects>(frame, target, instance.material);
     if constexpr (effects.any(effect::dithered_colours | effect::texture_palettes | effect::mipmaps |
                               effect::pixel_shading)) {
-      TargetOf<effects> complete{{target, fragment_settings<effects>(frame, instance)}, {}, {}, {}};
+      TargetOf<effects> complete{{with_depth, fragment_settings<effects>(frame, instance)}, {}, {}, {}};
       if constexpr (effects.has(effect::dithered_colours)) {
         complete.dithered = dithers_colours(frame.view);
       }
@@ -139,11 +134,11 @@ struct Materials {
       if constexpr (effects.has(effect::pixel_shading)) {
         complete.light = pixel_light_settings<effects>(frame, instance);
       }
-      draw(complete);
+      return complete;
     } else if constexpr (effects.any(effect::fragments)) {
-      draw(TargetOf<effects>{target, fragment_settings<effects>(frame, instance)});
+      return TargetOf<effects>{with_depth, fragment_settings<effects>(frame, instance)};
     } else {
-      draw(target);
+      return with_depth;
     }
   }
 };

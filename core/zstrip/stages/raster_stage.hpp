@@ -34,6 +34,7 @@ struct RasterStage {
     return {};
   }
 
+  /// Draws from bins or in a method's order, or else streams: every meshlet that touches the strip, through the cache.
   template <Effects effects>
   static void draw_triangles(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
     if constexpr (effects.has(effect::bins)) {
@@ -42,11 +43,6 @@ struct RasterStage {
     if constexpr (sorts_triangles(effects)) {
       return MethodStage::draw_sorted<effects>(static_cast<MethodFrameState&>(frame), target, strip);
     }
-    draw_streamed<effects>(frame, target, strip);
-  }
-
-  template <Effects effects>
-  static void draw_streamed(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
     const StripGrid::Place place = frame.grid.place_of(strip);
     const auto draw_meshlet = [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       if (frame.extents != nullptr && !frame.grid.touches(frame.extents[number], place)) return;
@@ -59,20 +55,19 @@ struct RasterStage {
       const auto shade = [&](std::uint32_t from, std::uint32_t count) {
         GeometryStage::shade<effects>(frame, batch, {range.first_vertex + from, count, {}}, from);
       };
-      Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
-        const auto draw = [&](std::span<const Triangle> triangles) {
-          AssemblerFor<effects>::draw(complete, batch, triangles, all_narrow);
-        };
-        if constexpr (lights_seen_vertices(effects)) {
-          // A single strip shows all front faces: finding them pays only for skins, whose light takes more.
-          const bool pays = frame.extents != nullptr || batch.mesh->skinning != nullptr;
-          if (pays && lights_seen_vertices<effects>(batch, range, all_narrow)) {
-            return for_seen_faces<effects>(batch, range, complete.area, shade, draw);
-          }
+      const auto& complete = Materials::instance_target<effects>(frame, target, *batch.instance);
+      const auto draw = [&](std::span<const Triangle> triangles) {
+        AssemblerFor<effects>::draw(complete, batch, triangles, all_narrow);
+      };
+      if constexpr (lights_seen_vertices(effects)) {
+        // A single strip shows all front faces: finding them pays only for skins, whose light takes more.
+        const bool pays = frame.extents != nullptr || batch.mesh->skinning != nullptr;
+        if (pays && lights_seen_vertices<effects>(batch, range, all_narrow)) {
+          return for_seen_faces<effects>(batch, range, complete.area, shade, draw);
         }
-        shade(0, range.vertex_count);
-        draw(range.triangles);
-      });
+      }
+      shade(0, range.vertex_count);
+      draw(range.triangles);
     };
     if constexpr (methods::hides_by_bounds(effects)) {
       MethodStage::draw_seen_first<effects>(static_cast<MethodFrameState&>(frame), target, draw_meshlet);
@@ -92,9 +87,8 @@ struct RasterStage {
           GeometryStage::batch_for<effects>(frame, retained.instance, range.first_vertex, retained.first_vertex);
       // Clipping and lighting by pixel read the mesh's moved vertices, not only the cache.
       if (!retained.all_narrow || effects.has(effect::pixel_shading)) GeometryStage::move<effects>(batch, range);
-      Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
-        AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, list, retained.all_narrow);
-      });
+      AssemblerFor<effects>::draw_listed(Materials::instance_target<effects>(frame, target, *batch.instance), batch,
+                                         range.triangles, list, retained.all_narrow);
     }
   }
 

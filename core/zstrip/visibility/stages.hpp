@@ -281,9 +281,8 @@ void MethodStage::draw_sorted(MethodFrameState& frame, const StripTarget& target
       if (!GeometryStage::transform<effects>(frame, batch, vertex, cache)) all_narrow = false;
       GeometryStage::shade<effects>(frame, batch, vertex, cache);
     }
-    Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
-      AssemblerFor<effects>::draw(complete, batch, {&triangle, 1}, all_narrow);
-    });
+    AssemblerFor<effects>::draw(Materials::instance_target<effects>(frame, target, *batch.instance), batch,
+                                {&triangle, 1}, all_narrow);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "zstrip/blob.hpp"
 #include "zstrip/clips.hpp"
 #include "zstrip/fingerprints.hpp"
-#include "zstrip/frame/entry_points.hpp"
+#include "zstrip/frame/begin_frame.hpp"
 #include "zstrip/frame/picked.hpp"
 #include "zstrip/frame/pipeline.hpp"
 #include "zstrip/overlay.hpp"

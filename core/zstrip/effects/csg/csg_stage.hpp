@@ -289,9 +289,8 @@ struct Stage : NoStage {
     const std::uint32_t cache = state_of(frame).cache;
     for_each_in_strip<effects>(frame, operand, strip, [&](const MeshletRange& range, const auto& batch) {
       GeometryStage::shade<effects>(frame, batch, range, cache);
-      Materials::with_settings<drawing>(frame, part, *batch.instance, [&](const auto& complete) {
-        AssemblerFor<drawing>::draw_side(complete, batch, range.triangles, away);
-      });
+      AssemblerFor<drawing>::draw_side(Materials::instance_target<drawing>(frame, part, *batch.instance), batch,
+                                       range.triangles, away);
     });
     if (away) turn_normals(frame, instance);
   }

@@ -51,9 +51,8 @@ struct Stage : NoStage {
         shade.grid = {static_cast<std::int32_t>(sample_columns(frame.view)),
                       static_cast<std::int32_t>(sample_rows(frame.view))};
       }
-      Materials::with_depth<effects>(frame, target, lines.material, [&](const auto& complete) {
-        LineFill<effects>::draw(complete, all[i], lines, scene.meshes[lines.mesh], frame.origin, shade);
-      });
+      LineFill<effects>::draw(Materials::depth_target<effects>(frame, target, lines.material), all[i], lines,
+                              scene.meshes[lines.mesh], frame.origin, shade);
     }
   }
 };

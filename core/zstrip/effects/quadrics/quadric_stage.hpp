@@ -39,9 +39,8 @@ struct Stage : NoStage {
         shade.dither = {quadric.anchor_x - target.view_left, quadric.anchor_y - target.view_top,
                         dithers_colours(frame.view)};
       }
-      Materials::with_depth<effects>(frame, target, quadric.material, [&](const auto& complete) {
-        QuadricFill<effects>::draw(complete, quadric, offset, shade);
-      });
+      QuadricFill<effects>::draw(Materials::depth_target<effects>(frame, target, quadric.material), quadric, offset,
+                                 shade);
     }
   }
 };
