@@ -12,7 +12,7 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts these values on such targets.
-constexpr std::uint64_t kSceneBytes = 116, kCameraBytes = 64, kMeshBytes = 80;
+constexpr std::uint64_t kCameraBytes = 64, kMeshBytes = 80;
 constexpr std::uint64_t kOverlayBytes = 32, kImageBytes = 24, kFontBytes = 28, kLabelBytes = 24;
 /// The bytes of records with addresses.
 constexpr std::uint64_t bytes_with_addresses(const Mesh&) { return kMeshBytes; }
@@ -114,7 +114,7 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
     }
   }
   const RecordBytes records = record_bytes(scene);
-  bytes.tables += levels.size_bytes() + records.with_addresses + records.others + kSceneBytes + kCameraBytes;
+  bytes.tables += levels.size_bytes() + records.with_addresses + records.others + detail::scene_bytes(4) + kCameraBytes;
   return bytes;
 }
 

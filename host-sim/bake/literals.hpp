@@ -66,6 +66,30 @@ std::string literal(const DetailLevel& level);
 std::string literal(const ClipEvent& event);
 const char* turning_name(Turning turning);
 
+/// The names of the types of a scene's records.
+template <class Record>
+inline constexpr const char* kTypeName = nullptr;
+template <>
+inline constexpr const char* kTypeName<Material> = "zstrip::Material";
+template <>
+inline constexpr const char* kTypeName<Instance> = "zstrip::Instance";
+template <>
+inline constexpr const char* kTypeName<DirectionalLight> = "zstrip::DirectionalLight";
+template <>
+inline constexpr const char* kTypeName<Fog> = "zstrip::Fog";
+template <>
+inline constexpr const char* kTypeName<Finish> = "zstrip::Finish";
+template <>
+inline constexpr const char* kTypeName<PunctualLight> = "zstrip::PunctualLight";
+template <>
+inline constexpr const char* kTypeName<Quadric> = "zstrip::Quadric";
+template <>
+inline constexpr const char* kTypeName<Outline> = "zstrip::Outline";
+template <>
+inline constexpr const char* kTypeName<Shadow> = "zstrip::Shadow";
+template <>
+inline constexpr const char* kTypeName<CsgOperand> = "zstrip::CsgOperand";
+
 /// Returns the definition of an array that is not empty, in lines of a header's width.
 template <class Record>
 std::string array_definition(const std::string& type, const std::string& name, std::span<const Record> records) {

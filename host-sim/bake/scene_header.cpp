@@ -23,29 +23,6 @@
 namespace zstrip::sim {
 namespace {
 
-template <class Record>
-constexpr const char* kTypeName = nullptr;
-template <>
-constexpr const char* kTypeName<Material> = "zstrip::Material";
-template <>
-constexpr const char* kTypeName<Instance> = "zstrip::Instance";
-template <>
-constexpr const char* kTypeName<DirectionalLight> = "zstrip::DirectionalLight";
-template <>
-constexpr const char* kTypeName<Fog> = "zstrip::Fog";
-template <>
-constexpr const char* kTypeName<Finish> = "zstrip::Finish";
-template <>
-constexpr const char* kTypeName<PunctualLight> = "zstrip::PunctualLight";
-template <>
-constexpr const char* kTypeName<Quadric> = "zstrip::Quadric";
-template <>
-constexpr const char* kTypeName<Outline> = "zstrip::Outline";
-template <>
-constexpr const char* kTypeName<Shadow> = "zstrip::Shadow";
-template <>
-constexpr const char* kTypeName<CsgOperand> = "zstrip::CsgOperand";
-
 /// Returns the constant's name for a member of the scene: kPunctualLights for punctual_lights.
 std::string constant_name(std::string_view member) {
   std::string name = "k";

@@ -20,12 +20,12 @@ step() {
   if cmp -s "$file" "$copy/before"; then echo "$file: nothing found to change by $2"; exit 1; fi
 }
 
-step scene.hpp '/^struct Scene \{/,/^\};/ s/^\};/  bool negative = false;\n};/'
-step effects/outlines/effect.hpp 's/(kSceneBytes = )232/\1240/'
-step effects/shadows/effect.hpp 's/(kStateBytes = )2656/\12664/'
+step scene.hpp '/^struct Scene \{/,/^\};/ s/^\};/  const Colour* negative = nullptr;\n};/'
+step scene/parts.hpp 's/^( *)visit\("overlay", .*/&\n\1visit("negative", scene.negative);/'
+step scene/blob_sections.hpp 's/^( *)section\(tag\("NORM"\)/\1section(tag("NEGA"), blob.scene.negative);\n&/'
 step effects.hpp '/^inline constexpr Effects edges\{/a inline constexpr Effects negative{std::uint64_t{1} << 39};'
 step effects.hpp 's/\| csg \| edges \|/| csg | edges | negative |/'
-step effects.hpp 's/^( *)if \(!scene\.csg\.empty\(\)\)/\1if (scene.negative) found = found | effect::negative;\n&/'
+step effects.hpp 's/^( *)if \(!scene\.csg\.empty\(\)\)/\1if (scene.negative != nullptr) found = found | effect::negative;\n&/'
 cp -r "$here/negative" effects/
 step effects/list.hpp 's|^#include "zstrip/effects/outlines/effect.hpp"|#include "zstrip/effects/negative/effect.hpp"\n&|'
 step effects/list.hpp 's/\bmethods::Described>/negative::Effect, methods::Described>/'

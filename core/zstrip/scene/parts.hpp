@@ -32,12 +32,27 @@ constexpr void for_each_part(AnyScene& scene, const Visit& visit) {
   visit("overlay", scene.overlay);
 }
 
-constexpr std::size_t bytes_of_parts() {
+/// Counts the colours and the addresses of a scene.
+struct SceneSize {
+  std::size_t colours = 0, addresses = 0;
+  template <class Record>
+  constexpr void add(std::span<const Record>) {
+    addresses += 2;  // a size has as many bytes
+  }
+  template <class Record>
+  constexpr void add(const Record*) {
+    ++addresses;
+  }
+  constexpr void add(const Colour&) { ++colours; }
+};
+
+/// Returns the size of a Scene on a processor whose addresses have this many bytes.
+constexpr std::size_t scene_bytes(std::size_t address_bytes) {
   const Scene scene;
-  std::size_t bytes = 0;
-  for_each_part(scene, [&bytes](const char*, const auto& part) { bytes += sizeof part; });
-  return bytes;
+  SceneSize size;
+  for_each_part(scene, [&size](const char*, const auto& part) { size.add(part); });
+  return size.colours * sizeof(Colour) + size.addresses * address_bytes;
 }
-static_assert(bytes_of_parts() == sizeof(Scene), "a new member of Scene needs a line in for_each_part");
+static_assert(scene_bytes(sizeof(void*)) == sizeof(Scene), "a new member of Scene needs a line in for_each_part");
 
 }  // namespace zstrip::detail

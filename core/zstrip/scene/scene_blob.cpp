@@ -33,8 +33,8 @@ static_assert(sizeof(Camera) == 64 && offsetof(Camera, up) == 12 && offsetof(Cam
               offsetof(Camera, far_plane) == 56 && offsetof(Camera, projection) == 60 &&
               offsetof(Camera, fixed_depth_range) == 61);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
-static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 80 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 &&
-                                     sizeof(EdgeSet) == 12 && sizeof(Scene) == 116));
+static_assert(sizeof(void*) != 4 ||
+              (sizeof(Mesh) == 80 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(EdgeSet) == 12));
 static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
 static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
               offsetof(Keyframe, scale) == 24);

@@ -20,13 +20,15 @@ constexpr Instance kInstances[]{{}};
 constexpr View kView{32, 24};
 constexpr Camera kCamera{};
 
+constexpr Colour kWhite{255, 255, 255, 255};
+
 constexpr Scene scene(bool negative) {
   return {.meshes = kMeshes,
           .materials = kMaterials,
           .textures = {},
           .instances = kInstances,
           .lights = {},
-          .negative = negative};
+          .negative = negative ? &kWhite : nullptr};
 }
 constexpr Effects effects(bool negative) { return effects_of(scene(negative), kCamera); }
 constexpr PlanResult planned(bool negative) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
+#include "zstrip/scene/parts.hpp"
 
 namespace zstrip::detail::outlines {
 
@@ -12,7 +13,7 @@ struct Effect : AnyEffect {
 
   static constexpr Effects kNeedMemory = effect::outlines;
   static constexpr std::uint32_t kAlignment = 8;
-  static constexpr std::uint32_t kSceneBytes = 232;  ///< the scene with its hulls as instances
+  static constexpr std::uint32_t kSceneBytes = scene_bytes(8) + 8;  ///< the scene with its hulls as instances
   static constexpr std::uint64_t bytes(const SceneCounts&) { return kSceneBytes; }
 };
 

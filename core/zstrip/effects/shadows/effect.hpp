@@ -2,6 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
+#include "zstrip/scene/parts.hpp"
 
 namespace zstrip::detail::shadows {
 
@@ -15,7 +16,8 @@ struct Effect : AnyEffect {
 
   static constexpr Effects kNeedMemory = effect::shadows;
   static constexpr std::uint32_t kAlignment = 8;
-  static constexpr std::uint32_t kStateBytes = 2656;  ///< the frame's shadow, and decoded tiles of its map
+  /// The frame's shadow with its scene, and decoded tiles of its map.
+  static constexpr std::uint32_t kStateBytes = scene_bytes(8) + 2432;
   static constexpr std::uint64_t bytes(const SceneCounts& counts) {
     return std::uint64_t{kStateBytes} + counts.shadow_pool;
   }
