@@ -143,7 +143,7 @@ TEST_F(BadInput, AMachineWithTooLittleMemoryIsNoFaultOfTheModel) {
   file("large.obj", sphere_obj(600, 400));
   file("large.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],)"
                      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
-                     R"("accessors":[{"componentType":5126,"type":"VEC3","count":20000000}]})");
+                     R"("accessors":[{"componentType":5126,"type":"VEC3","count":1300000}]})");
   file("scene.toml", "[[model]]\nname = 'a'\nfile = 'large.obj'\n[[instance]]\nmodel = 'a'\n");
   for (const char* name : {"large.obj", "large.gltf", "scene.toml"}) {
     expect_failure(ExitStatus::environment, "this machine has too little memory", {"render", name, "-o", "a.png"},
