@@ -66,29 +66,17 @@ std::string literal(const DetailLevel& level);
 std::string literal(const ClipEvent& event);
 const char* turning_name(Turning turning);
 
-/// The names of the types of a scene's records.
-template <class Record>
-inline constexpr const char* kTypeName = nullptr;
-template <>
-inline constexpr const char* kTypeName<Material> = "zstrip::Material";
-template <>
-inline constexpr const char* kTypeName<Instance> = "zstrip::Instance";
-template <>
-inline constexpr const char* kTypeName<DirectionalLight> = "zstrip::DirectionalLight";
-template <>
-inline constexpr const char* kTypeName<Fog> = "zstrip::Fog";
-template <>
-inline constexpr const char* kTypeName<Finish> = "zstrip::Finish";
-template <>
-inline constexpr const char* kTypeName<PunctualLight> = "zstrip::PunctualLight";
-template <>
-inline constexpr const char* kTypeName<Quadric> = "zstrip::Quadric";
-template <>
-inline constexpr const char* kTypeName<Outline> = "zstrip::Outline";
-template <>
-inline constexpr const char* kTypeName<Shadow> = "zstrip::Shadow";
-template <>
-inline constexpr const char* kTypeName<CsgOperand> = "zstrip::CsgOperand";
+// The name of the type of a scene's records; only the argument's type counts.
+constexpr const char* type_name(const Material*) { return "zstrip::Material"; }
+constexpr const char* type_name(const Instance*) { return "zstrip::Instance"; }
+constexpr const char* type_name(const DirectionalLight*) { return "zstrip::DirectionalLight"; }
+constexpr const char* type_name(const Fog*) { return "zstrip::Fog"; }
+constexpr const char* type_name(const Finish*) { return "zstrip::Finish"; }
+constexpr const char* type_name(const PunctualLight*) { return "zstrip::PunctualLight"; }
+constexpr const char* type_name(const Quadric*) { return "zstrip::Quadric"; }
+constexpr const char* type_name(const Outline*) { return "zstrip::Outline"; }
+constexpr const char* type_name(const Shadow*) { return "zstrip::Shadow"; }
+constexpr const char* type_name(const CsgOperand*) { return "zstrip::CsgOperand"; }
 
 /// Returns the definition of an array that is not empty, in lines of a header's width.
 template <class Record>

@@ -220,11 +220,11 @@ class Header {
   std::string initializer(const char*, const Colour& colour) { return literal(colour); }
   template <class Record>
   std::string initializer(const char* member, std::span<const Record> records) {
-    return out_.array(kTypeName<Record>, constant_name(member), records);
+    return out_.array(type_name(records.data()), constant_name(member), records);
   }
   template <class Record>
   std::string initializer(const char* member, const Record* record) {
-    return record == nullptr ? "{}" : out_.array(kTypeName<Record>, constant_name(member), std::span(record, 1));
+    return record == nullptr ? "{}" : out_.array(type_name(record), constant_name(member), std::span(record, 1));
   }
 
   std::string lines() {
