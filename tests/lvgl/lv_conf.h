@@ -12,8 +12,7 @@
 #define LV_USE_ASSERT_STYLE 1
 #define LV_USE_ASSERT_OBJ 1
 #define LV_USE_ASSERT_MEM_INTEGRITY 1
-#define LV_ASSERT_HANDLER_INCLUDE <stdlib.h>
-#define LV_ASSERT_HANDLER abort();
+#define LV_ASSERT_HANDLER __builtin_abort(); /* no header: LVGL 9.6 has another name for the one of 9.5 */
 #define LV_BUILD_EXAMPLES 0
 #define LV_BUILD_DEMOS 0
 #endif

@@ -53,7 +53,11 @@ bool show_gauge(lv_obj_t* parent, const lv_zstrip_scene_t* scene) {
   lv_arc_set_rotation(arc, 135);
   lv_arc_set_bg_angles(arc, 0, 270);
   lv_obj_remove_style(arc, NULL, LV_PART_KNOB);
+#if LV_VERSION_CHECK(9, 6, 0)
+  lv_obj_set_clickable(arc, false);
+#else
   lv_obj_remove_flag(arc, LV_OBJ_FLAG_CLICKABLE);
+#endif
 
   model = lv_zstrip_create(parent);
   lv_obj_set_size(model, 162, 162);

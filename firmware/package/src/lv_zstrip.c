@@ -355,6 +355,23 @@ static void click(lv_zstrip_t* widget, lv_indev_t* indev) {
 
 /* The class */
 
+/* LVGL has these two from 9.6 on, where it calls functions for flags deprecated. */
+static void set_scrollable(lv_obj_t* obj, bool scrollable) {
+#if LV_VERSION_CHECK(9, 6, 0)
+  lv_obj_set_scrollable(obj, scrollable);
+#else
+  (scrollable ? lv_obj_add_flag : lv_obj_remove_flag)(obj, LV_OBJ_FLAG_SCROLLABLE);
+#endif
+}
+
+static void set_scroll_chain(lv_obj_t* obj, bool chain) {
+#if LV_VERSION_CHECK(9, 6, 0)
+  lv_obj_set_scroll_chain(obj, chain);
+#else
+  (chain ? lv_obj_add_flag : lv_obj_remove_flag)(obj, LV_OBJ_FLAG_SCROLL_CHAIN);
+#endif
+}
+
 static void construct(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   LV_UNUSED(class_p);
   lv_zstrip_t* widget = (lv_zstrip_t*)obj;
@@ -364,7 +381,8 @@ static void construct(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   widget->source.data = &source_tag;
   widget->interactive = 1;
   lv_mutex_init(&widget->drawing);
-  lv_obj_remove_flag(obj, LV_OBJ_FLAG_SCROLLABLE | LV_OBJ_FLAG_SCROLL_CHAIN);
+  set_scrollable(obj, false);
+  set_scroll_chain(obj, false);
   widget->timer = lv_timer_create(step, LV_DEF_REFR_PERIOD, widget);
   if (!add_decoder() || widget->timer == NULL) fail(widget, "LVGL has no memory for the widget");
 }
@@ -422,6 +440,16 @@ const lv_obj_class_t lv_zstrip_class = {
     .instance_size = sizeof(lv_zstrip_t),
 };
 
+/* What obj is. Another object fails an assertion of LVGL: LV_ASSERT_OBJ, which LVGL 9.6 calls deprecated. */
+static lv_zstrip_t* checked(lv_obj_t* obj) {
+  LV_ASSERT_NULL(obj);
+#if LV_USE_ASSERT_OBJ
+  LV_ASSERT_MSG(lv_obj_has_class(obj, &lv_zstrip_class), "this object is no lv_zstrip");
+  LV_ASSERT_MSG(lv_obj_is_valid(obj), "this lv_zstrip is deleted or corrupt");
+#endif
+  return (lv_zstrip_t*)obj;
+}
+
 lv_obj_t* lv_zstrip_create(lv_obj_t* parent) {
   lv_obj_t* obj = lv_obj_class_create_obj(&lv_zstrip_class, parent);
   if (obj != NULL) lv_obj_class_init_obj(obj);
@@ -429,8 +457,7 @@ lv_obj_t* lv_zstrip_create(lv_obj_t* parent) {
 }
 
 bool lv_zstrip_set_scene(lv_obj_t* obj, const lv_zstrip_scene_t* scene) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   widget->player = NULL;
   widget->error = "";
   widget->time = widget->from = widget->to = 0;
@@ -460,29 +487,25 @@ bool lv_zstrip_set_scene(lv_obj_t* obj, const lv_zstrip_scene_t* scene) {
 }
 
 void lv_zstrip_set_transparent(lv_obj_t* obj, bool transparent) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   if (widget->transparent == transparent) return;
   widget->transparent = transparent;
   fit_again(widget);
 }
 
 void lv_zstrip_play(lv_obj_t* obj) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   if (!widget->playing) widget->ticks = lv_tick_get();
   widget->playing = 1;
 }
 
 void lv_zstrip_pause(lv_obj_t* obj) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   widget->playing = 0;
 }
 
 bool lv_zstrip_play_clip(lv_obj_t* obj, uint32_t clip, uint16_t fade, bool loops) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   /* The player's words would replace those that the widget may be showing. */
   if (!zstrip_player_play_clip(widget->player, clip, fade, loops)) {
     LV_LOG_WARN("lv_zstrip: there is no clip %u: the scene has %u clips", (unsigned)clip,
@@ -494,27 +517,21 @@ bool lv_zstrip_play_clip(lv_obj_t* obj, uint32_t clip, uint16_t fade, bool loops
   return true;
 }
 
-uint32_t lv_zstrip_get_clips(lv_obj_t* obj) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  return (uint32_t)zstrip_player_clips(((lv_zstrip_t*)obj)->player);
-}
+uint32_t lv_zstrip_get_clips(lv_obj_t* obj) { return (uint32_t)zstrip_player_clips(checked(obj)->player); }
 
 const char* lv_zstrip_get_clip_name(lv_obj_t* obj, uint32_t clip) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  return zstrip_player_clip_name(((lv_zstrip_t*)obj)->player, clip);
+  return zstrip_player_clip_name(checked(obj)->player, clip);
 }
 
 void lv_zstrip_set_part(lv_obj_t* obj, uint32_t from, uint32_t to) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   widget->from = from;
   widget->to = to;
   lv_zstrip_set_time(obj, to > from ? from : 0);
 }
 
 void lv_zstrip_set_time(lv_obj_t* obj, uint32_t time) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   if (widget->has_clips && widget->player != NULL) {
     zstrip_player_seek(widget->player, time);
   } else {
@@ -525,8 +542,7 @@ void lv_zstrip_set_time(lv_obj_t* obj, uint32_t time) {
 }
 
 uint32_t lv_zstrip_get_time(lv_obj_t* obj) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   return widget->has_clips ? zstrip_player_time(widget->player) : widget->time;
 }
 
@@ -541,56 +557,36 @@ static int32_t tenths_of(uint16_t angle) {
 }
 
 void lv_zstrip_set_orbit(lv_obj_t* obj, int32_t right, int32_t up) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  set_orbit((lv_zstrip_t*)obj, angle_of(right), angle_of(LV_CLAMP(-900, up, 900)));
+  set_orbit(checked(obj), angle_of(right), angle_of(LV_CLAMP(-900, up, 900)));
 }
 
-int32_t lv_zstrip_get_orbit_right(lv_obj_t* obj) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  return tenths_of(((lv_zstrip_t*)obj)->right);
-}
+int32_t lv_zstrip_get_orbit_right(lv_obj_t* obj) { return tenths_of(checked(obj)->right); }
 
-int32_t lv_zstrip_get_orbit_up(lv_obj_t* obj) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  return tenths_of(((lv_zstrip_t*)obj)->up);
-}
+int32_t lv_zstrip_get_orbit_up(lv_obj_t* obj) { return tenths_of(checked(obj)->up); }
 
 void lv_zstrip_set_zoom(lv_obj_t* obj, uint16_t percent) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   widget->zoom = (uint16_t)LV_CLAMP(10, percent, 1000);
   widget->moved = 1;
 }
 
-uint16_t lv_zstrip_get_zoom(lv_obj_t* obj) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  return ((lv_zstrip_t*)obj)->zoom;
-}
+uint16_t lv_zstrip_get_zoom(lv_obj_t* obj) { return checked(obj)->zoom; }
 
 void lv_zstrip_set_interactive(lv_obj_t* obj, bool interactive) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   widget->interactive = interactive;
-  if (interactive) {
-    lv_obj_remove_flag(obj, LV_OBJ_FLAG_SCROLL_CHAIN);
-  } else {
-    lv_obj_add_flag(obj, LV_OBJ_FLAG_SCROLL_CHAIN);
-  }
+  set_scroll_chain(obj, !interactive);
 }
 
 bool lv_zstrip_pick(lv_obj_t* obj, int32_t x, int32_t y, zstrip_picked* picked) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  lv_zstrip_t* widget = (lv_zstrip_t*)obj;
+  lv_zstrip_t* widget = checked(obj);
   if (!prepare(widget) || widget->scene.picker == NULL) return false;
   const lv_image_header_t* header = &widget->source.header;
   if (x < 0 || y < 0 || x >= (int32_t)header->w || y >= (int32_t)header->h) return false;
   return zstrip_player_pick(widget->player, widget->scene.picker, (uint16_t)x, (uint16_t)y, picked) != 0;
 }
 
-const char* lv_zstrip_get_error(lv_obj_t* obj) {
-  LV_ASSERT_OBJ(obj, &lv_zstrip_class);
-  return ((lv_zstrip_t*)obj)->error;
-}
+const char* lv_zstrip_get_error(lv_obj_t* obj) { return checked(obj)->error; }
 
 #else
 
