@@ -63,6 +63,11 @@ hal::Fault DisplayAddress::fault(const std::string& key, const std::string& what
   return {"--display " + kind_ + ": " + key + " " + what};
 }
 
+std::optional<hal::Fault> DisplayAddress::refused_device() const {
+  if (device_.empty()) return std::nullopt;
+  return fault("'" + device_ + "'", "is no KEY=VALUE, which this display needs; see --help");
+}
+
 std::optional<std::string> DisplayAddress::take(const std::string& key) {
   const auto node = values_.extract(key);
   if (node.empty()) return std::nullopt;

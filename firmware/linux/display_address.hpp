@@ -40,6 +40,8 @@ class DisplayAddress {
   std::optional<hal::Fault> untaken() const;
 
   hal::Fault fault(const std::string& key, const std::string& what) const;
+  /// Returns a fault if there is a device: for displays that have none, so that it is not ignored.
+  std::optional<hal::Fault> refused_device() const;
 
  private:
   std::string kind_;

@@ -97,6 +97,7 @@ std::variant<DisplayPointer, Failure> open_display(const std::string& text, cons
   if (!address) return usage(address.fault());
   if (address->kind() == "fbdev") return open_framebuffer(*address);
   if (address->kind() == "drm") return open_card(*address);
+  if (const auto refused = address->refused_device(); refused && address->kind() == "sdl") return usage(*refused);
   if (address->kind() == "sdl") return open_window(*address, picture);
   return open_panel(*address);
 }

@@ -104,6 +104,8 @@ using Ili9341 = hal::Ili9341<Bus, hal::SleepingClock>;
 template <class Bus>
 using St7735 = hal::St7735<Bus, hal::SleepingClock>;
 template <class Bus>
+using St7735Rows132 = hal::St7735<Bus, hal::SleepingClock, hal::St7735Rows132Controller>;
+template <class Bus>
 using Gc9a01 = hal::Gc9a01<Bus, hal::SleepingClock>;
 template <class Bus>
 using St7796 = hal::St7796<Bus, hal::SleepingClock>;
@@ -243,6 +245,7 @@ Opened open_panel(DisplayAddress& address) {
   const bool is_dcs = dcs != std::end(kDcsKinds);
   if (!is_dcs && kind != "ssd1351" && kind != "ssd1306" && kind != "ssd0323")
     return usage({"there is no display '" + kind + "'; there are fbdev drm sdl " + panel_kinds()});
+  if (const auto refused = address.refused_device()) return usage(*refused);
   const Outcome<PanelWiring> wiring = PanelWiring::take(address);
   if (!wiring) return usage(wiring.fault());
 
@@ -253,7 +256,10 @@ Opened open_panel(DisplayAddress& address) {
     if (!id) return usage(id.fault());
     config->id = *id;
     if (const auto untaken = address.untaken()) return usage(*untaken);
-    return dcs->start(*wiring, dcs->hertz, *config);
+    // A glass of so few rows is that of a module of 128x128 pixels.
+    const bool has_132_rows =
+        kind == "st7735" && config->row_offset + config->height <= hal::St7735Rows132Controller::kRows;
+    return (has_132_rows ? start<St7735Rows132, hal::DcsConfig> : dcs->start)(*wiring, dcs->hertz, *config);
   }
   if (address.take("id")) return usage(address.fault("id", "cannot be read: this controller has none"));
   const Outcome<hal::Orientation> orientation = take_orientation(address);

@@ -54,7 +54,9 @@ typedef struct {
   uint16_t left, top, width, height;  ///< pixels of the picture
   const void* pixels;                 ///< valid until zstrip_take returns
   size_t bytes;                       ///< bytes of all rows
-  const uint8_t* mask;  ///< null, or directly after the pixels a byte each: 255 if something was drawn, 0 if not
+  /** Directly after the pixels a byte each: 255 if something was drawn, 0 if not. Null without
+   * zstrip_fit_options.masked, and of strips of zstrip_player_draw. */
+  const uint8_t* mask;
 } zstrip_strip;
 
 /** A rectangle of the picture. */
@@ -66,7 +68,7 @@ typedef struct {
 typedef struct {
   uint16_t strip_rows;  ///< rows of a strip, if a plan with so many fits; 0: the planner decides
   uint16_t row_step;    ///< strips have a multiple of so many rows: 1, or 8 for displays with bytes of eight rows
-  int masked;           ///< not 0: strips have a mask, for a byte more for each pixel of a strip
+  int masked;           ///< not 0: zstrip_player_strip makes a mask, for a byte more for each pixel of a strip
   int tracks_changes;   ///< not 0: zstrip_player_changed knows single instances, for 12 bytes each
 } zstrip_fit_options;
 
@@ -91,8 +93,8 @@ int zstrip_player_fit_with(zstrip_player* player, uint16_t width, uint16_t heigh
 int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context);
 /** Begins a frame at the time and from the place that were set last, for zstrip_player_strip, _draw_area and _pick. */
 int zstrip_player_begin(zstrip_player* player);
-/** Draws the strip that has row `y` of the frame that was begun last. Its pixels are valid until the next call that
- * draws or begins. The strip that was drawn last is not drawn again. */
+/** Draws the strip that has row `y` of the frame that was begun last; a row below the picture is an error. Its pixels
+ * are valid until the next call that draws or begins. The strip that was drawn last is not drawn again. */
 int zstrip_player_strip(zstrip_player* player, uint16_t y, zstrip_strip* strip);
 /** Draws a rectangle of the frame that was begun last: the pixels of the whole picture. A rectangle without pixels, as
  * of zstrip_player_changed if nothing changed, is an error. `pixels`: its upper left pixel, with `bytes` from there on;

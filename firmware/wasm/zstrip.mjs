@@ -42,9 +42,11 @@ class Scene {
   }
 
   // Frame `frame` of `frames`, which show the animation once (of several clips the one that was played last), or else a full
-  // turn: red, green, blue and alpha of each pixel. Valid until the next call.
+  // turn: red, green, blue and alpha of each pixel. Valid until the next call. Any number of a frame: after the last one the
+  // first one follows, and before it the last one.
   draw(frame) {
-    this.#check(this.#wasm.draw(frame));
+    const shown = Math.floor(frame) % this.frames;
+    this.#check(this.#wasm.draw(shown < 0 ? shown + this.frames : shown));
     return this.#pixels();
   }
 

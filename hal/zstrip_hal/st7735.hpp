@@ -59,10 +59,27 @@ struct St7735Gm11Controller : St7735Controller {
   /// @}
 };
 
-/// 128x160 in the middle of 132x162 ("green tab"). Modules of 128x128 need row_offset 3 and bgr; modules of 80x160 need
-/// width 80, column_offset 26, bgr and inverted.
+/// For the pins' setting of modules with 128x128 pixels: rows that are counted from the bottom begin at row 131, not
+/// 161. Public drivers have these numbers.
+struct St7735Rows132Controller : St7735Controller {
+  /// @{
+  /// See DcsController.
+  static constexpr std::uint16_t kRows = 132;
+  /// @}
+};
+
+/// 128x160 in the middle of 132x162 ("green tab"). Modules of 80x160 need width 80, column_offset 26, bgr and inverted.
 inline constexpr DcsConfig kSt7735Module128x160{
     .width = 128, .height = 160, .column_offset = 2, .row_offset = 1, .columns_reversed = true, .rows_reversed = true};
+
+/// The usual module of 1.44 inches, for St7735Rows132Controller.
+inline constexpr DcsConfig kSt7735Module128x128{.width = 128,
+                                                .height = 128,
+                                                .column_offset = 2,
+                                                .row_offset = 3,
+                                                .columns_reversed = true,
+                                                .rows_reversed = true,
+                                                .bgr = true};
 
 /// A panel with the controller ST7735. `bus` and `clock` must outlive it.
 template <CommandDataBus Bus, Clock Time, DcsController Controller = St7735Controller>

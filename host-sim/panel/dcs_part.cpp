@@ -203,6 +203,9 @@ const DcsPart kSt7735Part{"ST7735",       132,   162, 66ns, 10us, 120ms, 120ms, 
 const DcsPart kSt7735Gm11Part{"ST7735_GM11",  128,   160,   66ns, 10us, 120ms,
                               120ms,          5ms,   120ms, 0x06, true, kSt7735Commands,
                               kSt7735Answers, 150ns, 0};
+const DcsPart kSt7735Rows132Part{
+    "ST7735_ROWS132", 132,   132, 66ns, 10us, 120ms, 120ms, 5ms, 120ms, 0x06, true, kSt7735Commands,
+    kSt7735Answers,   150ns, 0};
 const DcsPart kGc9a01Part{"GC9A01",       240,   240,   10ns,       10us,  5ms,
                           120ms,          5ms,   120ms, 0x66,       false, kGc9a01Commands,
                           kGc9a01Answers, 150ns, 0,     kGc9a01Keys};

@@ -61,7 +61,8 @@ struct DcsPart {
 extern const DcsPart kSt7789Part;
 extern const DcsPart kIli9341Part;
 extern const DcsPart kSt7735Part;
-extern const DcsPart kSt7735Gm11Part;  ///< pins GM1 and GM0 high: a smaller memory
+extern const DcsPart kSt7735Gm11Part;     ///< pins GM1 and GM0 high: a smaller memory
+extern const DcsPart kSt7735Rows132Part;  ///< as in modules with 128x128 pixels: fewer rows
 extern const DcsPart kGc9a01Part;
 extern const DcsPart kSt7796Part;
 extern const DcsPart kIli9342Part;

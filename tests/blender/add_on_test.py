@@ -56,6 +56,14 @@ class Pictures(unittest.TestCase):
             with self.assertRaises(picture.PictureError, msg=header):
                 picture.parse_ppm(header + bytes(100))
 
+    def test_a_share_of_a_resolution_has_the_pixels_that_blender_renders(self):
+        self.assertEqual(picture.rendered_size(100, 200, 29), (29, 58))
+        self.assertEqual(picture.rendered_size(1350, 240, 82), (1107, 196))
+        for size in range(4, 400):
+            for percentage in range(1, 201):
+                found = picture.rendered_size(size, size, percentage)[0]
+                self.assertTrue(100 * found <= size * percentage < 100 * (found + 1), (size, percentage))
+
     def test_every_byte_comes_back_from_linear_light(self):
         for byte in range(256):
             single = struct.unpack('f', struct.pack('f', picture.to_linear(byte)))[0]  # as Blender keeps it

@@ -55,6 +55,35 @@ TEST_F(LinuxMockedPanel, TheRightOneIsStarted) {
   EXPECT_EQ(st7789_.complaints(), std::vector<std::string>{});
 }
 
+/// It was ignored: another device could be opened than the one that was named.
+TEST_F(LinuxMockedPanel, ADeviceWithoutAKeyIsRefused) {
+  for (const char* display : {"st7789:/dev/spidev0.1,spidev=/dev/spidev0.0,dc=0:3", "ssd1306:/dev/i2c-1,i2c=/dev/i2c-0",
+                              "sdl:/dev/dri/card0,size=64x64"}) {
+    const Said said = open(display);
+    EXPECT_EQ(said.status, ExitStatus::usage) << display;
+    EXPECT_NE(said.words.find("is no KEY=VALUE"), std::string::npos) << said.words;
+  }
+}
+
+/// Its window was that of a memory of 162 rows: 31 to 158.
+TEST_F(LinuxMockedPanel, AnSt7735Of128x128IsStartedInEveryOrientation) {
+  for (const char* orientation : {"", ",rotate=90", ",rotate=180", ",rotate=270", ",mirror"}) {
+    sim::DcsModel st7735{sim::kSt7735Rows132Part,
+                         {.width = 128,
+                          .height = 128,
+                          .column_offset = 2,
+                          .row_offset = 3,
+                          .columns_reversed = true,
+                          .rows_reversed = true,
+                          .bgr = true}};
+    st7735.elapse(std::chrono::seconds(1));
+    spi_.panel = &st7735;
+    const std::string display = "st7735:spidev=/dev/spidev0.0,dc=0:3,size=128x128,row=3,bgr";
+    EXPECT_EQ(open(display + orientation).words, "") << orientation;
+    EXPECT_EQ(st7735.complaints(), std::vector<std::string>{}) << orientation;
+  }
+}
+
 TEST_F(LinuxMockedPanel, OddWidthsOfRgb444AreRefusedBeforeALineIsOpened) {
   for (const auto& [keys, remedy] : {std::pair("size=135x240", " (or rotate=90, 270)"),
                                      {"size=135x240,rotate=180", " (or rotate=90, 270)"},

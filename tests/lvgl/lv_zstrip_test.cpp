@@ -342,6 +342,20 @@ TEST(LvglWidget, ADragOf65536PixelsStopsWhereAShorterOneDoes) {
   }
 }
 
+/// It was 1800 for the last nine of 65536 angles, which only drags reach.
+TEST(LvglWidget, AnAngleThatRoundsToHalfATurnIsInTheDocumentedRange) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
+  const Scene3d scene("teapot_meshlets");
+  lv_obj_t* const widget = widget_on_screen(scene, false);
+  lv_obj_set_width(widget, 120);
+  screen.run(50);
+  lv_zstrip_set_orbit(widget, 1605, 0);  // 29218; 13 pixels to the left are 3549 more, together 32767
+  screen.touch(kLeft + 60, kTop + 40);
+  screen.touch(kLeft + 47, kTop + 40);
+  screen.release();
+  EXPECT_EQ(lv_zstrip_get_orbit_right(widget), -1800);
+}
+
 TEST(LvglWidget, AnotherSizeIsPlannedAgain) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("teapot_meshlets", 60'000);

@@ -27,6 +27,11 @@ frames.forEach((name, frame) => {
   }
 });
 
+// WebAssembly gets 32 bits of a number: others were other frames.
+for (const [number, frame] of [[-1, frames.length - 1], [2 ** 32 + 1, (2 ** 32 + 1) % frames.length], [0.5, 0]]) {
+  assert.deepEqual(scene.draw(number).slice(), scene.draw(frame), `frame ${number}`);
+}
+
 // Clips: at a frame's time they are that frame; in the middle of a fade they are neither clip.
 if (scene.clips.length > 1) {
   const [first, second] = scene.clips;

@@ -89,6 +89,8 @@ using St7735 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus>, sim::kSt7735Part, 
                    DisplayFormat::rgb666, DisplayFormat::rgb444>;
 using St7735Gm11 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus, hal::St7735Gm11Controller>, sim::kSt7735Gm11Part,
                        DisplayFormat::rgb565_swapped>;
+using St7735Rows132 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus, hal::St7735Rows132Controller>,
+                          sim::kSt7735Rows132Part, DisplayFormat::rgb565_swapped>;
 using Gc9a01 = Dcs<hal::Gc9a01<sim::ModelBus, sim::ModelBus>, sim::kGc9a01Part, DisplayFormat::rgb565_swapped,
                    DisplayFormat::rgb666>;
 using St7796 = Dcs<hal::St7796<sim::ModelBus, sim::ModelBus>, sim::kSt7796Part, DisplayFormat::rgb565_swapped,

@@ -9,13 +9,57 @@
 #include "panel/model_bus.hpp"
 #include "provocation.hpp"
 #include "zstrip_hal/ili9488.hpp"
+#include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7796.hpp"
 
 namespace zstrip::sim {
 namespace {
 
+struct NoClock {
+  void wait(std::uint32_t /*microseconds*/) {}
+};
+
+/// Keeps the window that was set last.
+struct WindowBus {
+  using Range = std::vector<int>;  // the four parameters of the command
+  Range columns, rows;
+  std::byte command{};
+  hal::Error write_command(std::span<const std::byte> bytes) {
+    command = bytes.front();
+    return hal::Error::none;
+  }
+  hal::Error write_data(std::span<const std::byte> bytes) {
+    Range* const to = command == std::byte{0x2A} ? &columns : command == std::byte{0x2B} ? &rows : nullptr;
+    if (to == nullptr) return hal::Error::none;
+    to->clear();
+    for (const std::byte byte : bytes) to->push_back(std::to_integer<int>(byte));
+    return hal::Error::none;
+  }
+  hal::Error wait() { return hal::Error::none; }
+};
+
 std::function<std::unique_ptr<DcsModel>()> maker_of(const DcsPart& part) {
   return [&part] { return std::make_unique<DcsModel>(part, Glass{.width = 4, .height = 3}); };
+}
+
+/// Public drivers agree on the windows of 128x128 modules: rows 3 to 130 upright and on one side, 1 to 128 turned by
+/// 180 degrees and on the other side. Rows were 31 to 158 there, as if the memory had 162.
+TEST(PanelParts, St7735Of128x128BeginsAtRow1WhereRowsAreReversed) {
+  for (const hal::Rotation by :
+       {hal::Rotation::none, hal::Rotation::by_90, hal::Rotation::by_180, hal::Rotation::by_270}) {
+    SCOPED_TRACE(static_cast<int>(by));
+    WindowBus bus;
+    NoClock clock;
+    hal::St7735<WindowBus, NoClock, hal::St7735Rows132Controller> panel(bus, clock,
+                                                                        turned(hal::kSt7735Module128x128, by));
+    ASSERT_EQ(panel.start(), hal::Error::none);
+    const bool reversed = by == hal::Rotation::by_180 || by == hal::Rotation::by_270;
+    const WindowBus::Range rows = reversed ? WindowBus::Range{0, 1, 0, 128} : WindowBus::Range{0, 3, 0, 130};
+    const WindowBus::Range columns{0, 2, 0, 129};
+    const bool sideways = by == hal::Rotation::by_90 || by == hal::Rotation::by_270;
+    EXPECT_EQ(bus.columns, sideways ? rows : columns);
+    EXPECT_EQ(bus.rows, sideways ? columns : rows);
+  }
 }
 
 void wake(Lines& lines) {

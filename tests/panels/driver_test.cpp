@@ -37,8 +37,8 @@ std::vector<Area> areas_of(std::uint16_t width, std::uint16_t height, const Step
 
 template <class C>
 class PanelDriver : public testing::Test {};
-using Controllers = testing::Types<St7789, Ili9341, St7735, St7735Gm11, Gc9a01, St7796, Ili9342, Ili9488, Co5300,
-                                   Sh8601, St77916, Ssd1351, Ssd1306, Ssd0323>;
+using Controllers = testing::Types<St7789, Ili9341, St7735, St7735Gm11, St7735Rows132, Gc9a01, St7796, Ili9342, Ili9488,
+                                   Co5300, Sh8601, St77916, Ssd1351, Ssd1306, Ssd0323>;
 struct Names {
   template <class C>
   static std::string GetName(int /*index*/) {

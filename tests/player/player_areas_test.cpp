@@ -357,6 +357,9 @@ TEST(CPlayerAreas, AreThoseOfThePlayer) {
   }
   zstrip_strip strip;
   EXPECT_EQ(zstrip_player_strip(player, kHeight + 16, &strip), 0);
+  EXPECT_EQ(zstrip_player_strip(player, kHeight, &strip), 0)
+      << "below the picture, but not below the last strip's rows";
+  EXPECT_EQ(zstrip_player_strip(player, kHeight - 1, &strip), 1);
   EXPECT_EQ(zstrip_player_strip(player, 0, nullptr), 0);
   std::vector<std::byte> pixels(20 * 30 * 2), right(20 * 30 * 2);
   std::vector<std::uint8_t> mask(20 * 30), right_mask(20 * 30);

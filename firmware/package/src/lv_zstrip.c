@@ -553,7 +553,8 @@ static int32_t angle_of(int32_t tenths) {
 }
 static int32_t tenths_of(uint16_t angle) {
   const int32_t scaled = (int32_t)(int16_t)angle * 3600;
-  return (scaled + (scaled < 0 ? -32768 : 32768)) / 65536;
+  const int32_t tenths = (scaled + (scaled < 0 ? -32768 : 32768)) / 65536;
+  return tenths < 1800 ? tenths : -1800; /* the same angle */
 }
 
 void lv_zstrip_set_orbit(lv_obj_t* obj, int32_t right, int32_t up) {

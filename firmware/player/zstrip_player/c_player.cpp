@@ -67,9 +67,14 @@ int zstrip_player_strip(zstrip_player* player, std::uint16_t y, zstrip_strip* st
   if (player == nullptr) return 0;
   if (strip == nullptr) return player->refuse_area();
   *strip = {};
-  const std::uint16_t rows = player->plan().strip_rows;
+  const zstrip::Plan& plan = player->plan();
+  std::uint16_t number = 0;
+  // The last strip may be lower than the others: rows below the picture lie in a strip that the plan lacks.
+  if (plan.strip_rows != 0) {
+    number = y < player->view().height ? static_cast<std::uint16_t>(y / plan.strip_rows) : plan.strips;
+  }
   zstrip::DrawnStrip drawn;
-  if (!player->draw_strip(rows == 0 ? 0 : static_cast<std::uint16_t>(y / rows), drawn)) return 0;
+  if (!player->draw_strip(number, drawn)) return 0;
   *strip = strip_of(drawn.area, drawn.pixels, drawn.mask.data());
   return 1;
 }

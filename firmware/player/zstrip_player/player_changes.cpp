@@ -65,7 +65,8 @@ Rect Player::changed() {
     add_place(place, instance);
     SeenInstance& seen = seen_instances_[i];
     const Rect now = rectangle_of(i);
-    if (!seen_.is_known || seen.place != place.value()) {
+    // Before the first frame nothing is seen, and the rectangle is the whole picture.
+    if (seen_.is_known && seen.place != place.value()) {
       extend(moved, {seen.left, seen.top, seen.right, seen.bottom});
       extend(moved, now);
     }

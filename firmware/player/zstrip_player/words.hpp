@@ -7,7 +7,7 @@
 
 namespace zstrip::detail {
 
-/// The array always has bytes of 0 from `size` on.
+/// The text in the array always ends with a byte of 0.
 class Words {
  public:
   explicit Words(std::span<char> to, std::size_t size = 0) : to_(to), size_(size) { to_[size_] = 0; }

@@ -19,6 +19,12 @@ class Picture:
 MAX_SIDE = 4096
 
 
+def rendered_size(width, height, percentage):
+    """Returns the size in pixels at which Blender renders this share of a resolution. Both are whole numbers, as in
+    Blender: 29 % of 100 are 29, but 28.999 in floating point."""
+    return width * percentage // 100, height * percentage // 100
+
+
 def parse_ppm(data):
     """Returns the Picture of a binary PPM (P6) or PGM (P5, greys) with 255 as the brightest value. Raises PictureError."""
     fields, at = [], 0

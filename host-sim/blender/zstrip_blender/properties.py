@@ -87,8 +87,8 @@ def _chosen(name):
 
 def size_of(scene):
     """Returns width and height of the scene's picture in pixels, as Blender renders it."""
-    share = scene.render.resolution_percentage / 100
-    return int(scene.render.resolution_x * share), int(scene.render.resolution_y * share)
+    render = scene.render
+    return picture.rendered_size(render.resolution_x, render.resolution_y, render.resolution_percentage)
 
 
 def background_of(scene):
