@@ -227,6 +227,22 @@ TEST(LvglWidget, PlaysByLvglsClock) {
   EXPECT_LT(lv_zstrip_get_time(widget), 8000U) << "the motion takes 8 seconds";
 }
 
+/// It jumped to some time within the part.
+TEST(LvglWidget, PlaysFromATimeBeforeItsPartUpToThePart) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
+  const Scene3d scene("clips", 200'000);
+  lv_obj_t* const widget = widget_on_screen(scene, false);
+  lv_zstrip_set_part(widget, 3000, 5200);
+  lv_zstrip_set_time(widget, 2000);
+  lv_zstrip_play(widget);
+  screen.run(500);
+  EXPECT_NEAR(lv_zstrip_get_time(widget), 2500, 40);
+  screen.run(1000);
+  EXPECT_NEAR(lv_zstrip_get_time(widget), 3500, 40);
+  screen.run(2200);
+  EXPECT_NEAR(lv_zstrip_get_time(widget), 3500, 40);
+}
+
 TEST(LvglWidget, FadesFromOneClipToAnother) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL);
   const Scene3d scene("figure", 200'000);

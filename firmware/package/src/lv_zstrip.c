@@ -187,7 +187,7 @@ static void fit_again(lv_zstrip_t* widget) {
 
 /* Advances the motion by the time since it was advanced last. */
 static void advance(lv_zstrip_t* widget) {
-  const uint32_t passed = lv_tick_elaps(widget->ticks);
+  uint32_t passed = lv_tick_elaps(widget->ticks);
   widget->ticks = lv_tick_get();
   if (!widget->playing || passed == 0) return;
   widget->moved = 1;
@@ -198,6 +198,12 @@ static void advance(lv_zstrip_t* widget) {
   }
   const uint32_t end = widget->to > widget->from ? widget->to : zstrip_player_period(widget->player);
   const uint32_t begin = widget->to > widget->from ? widget->from : 0;
+  if (widget->time < begin) { /* it was set to a time before the part, and plays up to it */
+    const uint32_t before = LV_MIN(begin - widget->time, passed);
+    widget->time += before;
+    passed -= before;
+    if (widget->time < begin) return;
+  }
   const uint32_t time = widget->time - begin + passed % (end - begin);
   widget->time = begin + time % (end - begin);
 }

@@ -57,7 +57,8 @@ const char* lv_zstrip_get_clip_name(lv_obj_t* obj, uint32_t clip);
 /** Repeats the part of the motion from `from` to `to`, in milliseconds from the motion's beginning; the whole motion if
  * `to` is not greater. Begins at `from`. For scenes without clips. */
 void lv_zstrip_set_part(lv_obj_t* obj, uint32_t from, uint32_t to);
-/** Sets the time, in milliseconds from the beginning of the motion or clip. */
+/** Sets the time, in milliseconds from the beginning of the motion or clip. From a time before lv_zstrip_set_part's
+ * part it plays to the part's end; then the part repeats. */
 void lv_zstrip_set_time(lv_obj_t* obj, uint32_t time);
 /** Returns the time, in milliseconds from the beginning of the motion or clip. */
 uint32_t lv_zstrip_get_time(lv_obj_t* obj);
