@@ -8,6 +8,7 @@
 #include "py/objstr.h"
 #include "py/runtime.h"
 #endif
+#include "py/objarray.h"
 #include "zstrip_player.h"
 
 /* pipeline.cpp has them. */
@@ -110,26 +111,30 @@ static zstrip_strip strip_at(player_obj* self, uint16_t y) {
   return strip;
 }
 
-/* A memoryview. */
-static mp_obj_t view_of(const void* bytes, size_t size) {
+/* A memoryview of bytes in the player's memory. It begins at the memory's first byte and has an offset, because the
+   collector keeps a block only for a pointer to its beginning: the view may live longer than the player. */
+static mp_obj_t view_of(player_obj* self, const void* bytes, size_t size) {
 #if defined(MICROPY_ENABLE_DYNRUNTIME)
-  mp_obj_t array = mp_obj_new_bytearray_by_ref(size, (void*)bytes);
-  return mp_call_function_n_kw(mp_load_global(MP_QSTR_memoryview), 1, 0, &array);
+  mp_obj_t array = mp_obj_new_bytearray_by_ref(size, self->memory);
+  mp_obj_t view = mp_call_function_n_kw(mp_load_global(MP_QSTR_memoryview), 1, 0, &array);
 #else
-  return mp_obj_new_memoryview('B', size, (void*)bytes);
+  mp_obj_t view = mp_obj_new_memoryview('B', size, self->memory);
 #endif
+  ((mp_obj_array_t*)MP_OBJ_TO_PTR(view))->free = (size_t)((const byte*)bytes - self->memory);
+  return view;
 }
 
 /* strip(y): (left, top, width, height, pixels, mask), of the frame that was begun last. */
 static mp_obj_t player_strip(mp_obj_t object, mp_obj_t y) {
-  const zstrip_strip strip = strip_at(self_of(object), half_of(y));
+  player_obj* self = self_of(object);
+  const zstrip_strip strip = strip_at(self, half_of(y));
   mp_obj_t items[] = {
       MP_OBJ_NEW_SMALL_INT(strip.left),
       MP_OBJ_NEW_SMALL_INT(strip.top),
       MP_OBJ_NEW_SMALL_INT(strip.width),
       MP_OBJ_NEW_SMALL_INT(strip.height),
-      view_of(strip.pixels, strip.bytes),
-      strip.mask != NULL ? view_of(strip.mask, (size_t)strip.width * strip.height) : mp_const_none,
+      view_of(self, strip.pixels, strip.bytes),
+      strip.mask != NULL ? view_of(self, strip.mask, (size_t)strip.width * strip.height) : mp_const_none,
   };
   return mp_obj_new_tuple(MP_ARRAY_SIZE(items), items);
 }
@@ -142,8 +147,8 @@ static mp_obj_t player_draw(mp_obj_t object, mp_obj_t take) {
   for (mp_uint_t y = 0; y < self->height;) {
     const zstrip_strip strip = strip_at(self, (uint16_t)y);
     mp_obj_t items[] = {
-        MP_OBJ_NEW_SMALL_INT(strip.left),   MP_OBJ_NEW_SMALL_INT(strip.top),    MP_OBJ_NEW_SMALL_INT(strip.width),
-        MP_OBJ_NEW_SMALL_INT(strip.height), view_of(strip.pixels, strip.bytes),
+        MP_OBJ_NEW_SMALL_INT(strip.left),   MP_OBJ_NEW_SMALL_INT(strip.top),          MP_OBJ_NEW_SMALL_INT(strip.width),
+        MP_OBJ_NEW_SMALL_INT(strip.height), view_of(self, strip.pixels, strip.bytes),
     };
     y = (mp_uint_t)strip.top + strip.height;
     mp_call_function_n_kw(take, MP_ARRAY_SIZE(items), 0, items);

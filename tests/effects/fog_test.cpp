@@ -115,6 +115,27 @@ TEST(EffectsFog, AFloorFadesByItsDistance) { expect_all_modes<effect::fog>(kFloo
 // Visibility is linear between every 16th pixel only, which rounds off where linear fog ends within a run.
 TEST(EffectsFog, AWallFadesByThePixelNotByTheVertex) { expect_all_modes<effect::fog>(kWall, Camera{}, 14, 1000); }
 
+/// Regression: the density times log2 e was rounded down to 16.16. In the thinnest fog, 12 % of 255 was visible too
+/// much.
+TEST(EffectsFog, ThinFogOverALargeSceneHasItsDensity) {
+  for (const Fixed density : {1, 2, 3, 5, 10}) {
+    SCOPED_TRACE(density);
+    Square square({{{-990, -990, 0}, {990, -990, 0}, {990, 990, 0}, {-990, 990, 0}}});
+    square.mesh.half_extent = {fixed(4000), fixed(4000), fixed(4000)};
+    for (int i = 0; i < 3; ++i) square.instance.transform.m[i][i] = 25 * kFixedOne;
+    square.fog.mode = FogMode::exponential;
+    square.fog.density = density;
+    Camera camera;
+    camera.eye = {0, 0, fixed(30000)};
+    camera.near_plane = fixed(20000);  // with codes that are fine enough for the distance
+    camera.far_plane = fixed(32000);
+    const Drawn drawn = draw<effect::fog>(square.scene(), camera, kView);
+    const double expected = 255 * visible(square.fog, 30000);
+    EXPECT_LT(drawn.green(48, 32), expected + 2);
+    EXPECT_GT(drawn.green(48, 32), expected - 6);
+  }
+}
+
 TEST(EffectsFog, DepthFormatsAndParallelProjectionHaveTheSameFog) {
   expect_all_modes<effect::fog | effect::depth_float>(kWall, Camera{}, 14, 1000);
   expect_all_modes<effect::fog | effect::depth_24>(kWall, Camera{}, 14, 1000);

@@ -146,6 +146,32 @@ TEST(EffectsLight, HighlightsAreBlinnAndPhongs) {
   expect_highlights<effect::orthographic>(parallel);
 }
 
+/// Regression: a cosine had 14 bits and each product of its power was rounded down. With an exponent of 255, a
+/// highlight was up to 16 of 255 too dark.
+TEST(EffectsLight, ASharpHighlightHasItsStrength) {
+  Samples samples;
+  Camera parallel;
+  parallel.projection = Projection::orthographic;
+  parallel.focal = fixed(0.6);
+  for (int i = 0; i < 500; ++i) {
+    Sheet sheet = samples.sheet();
+    const Point normal = sheet.normal();
+    const auto mirrored = [&](std::size_t axis) {  // the eye's direction, and up to 4 degrees off
+      return 2 * normal[2] * normal[axis] - (axis == 2 ? 1 : 0) + samples.between(-40, 40) / 1000.0;
+    };
+    const Point light = unit({mirrored(0), mirrored(1), mirrored(2)});
+    const auto part = [&](std::size_t axis) { return static_cast<std::int16_t>(std::lround(light[axis] * 32767)); };
+    sheet.directional = {part(0), part(1), part(2), {255, 255, 255, 255}};
+    if (dot(normal, light) < 0.1) continue;
+    sheet.finish.specular = {255, 255, 255, 255};
+    sheet.finish.shininess = 255;
+    const double cosine = dot(normal, unit(Point{0, 0, 1} + light));
+    expect_near(
+        draw<effect::lighting | effect::specular | effect::orthographic>(sheet.scene(true, false), parallel, kView),
+        255 * std::pow(cosine, 255));
+  }
+}
+
 TEST(EffectsLight, PunctualLightIsAsKhrLightsPunctualSays) {
   Samples samples;
   int bright = 0;
@@ -189,6 +215,64 @@ TEST(EffectsLight, PunctualLightIsAsKhrLightsPunctualSays) {
     if (expected > 60) ++bright;
   }
   EXPECT_GT(bright, 100);
+}
+
+/// Regression: the lower word of a product was lost before it was shifted up for a near light. A white surface 0.0228
+/// units from a light of intensity 34 / 65536 was black.
+TEST(EffectsLight, ANearLightOfSmallIntensityIsNotRoundedToSteps) {
+  Samples samples;
+  for (int i = 0; i < 100; ++i) {
+    Sheet sheet = samples.sheet();
+    sheet.material.colour = {255, 230, 255, 255};
+    const Point at = sheet.vertex(), away = sheet.normal();
+    const double distance = samples.between(25, 100) / 1000.0;
+    const auto place = [&](std::size_t axis) {
+      return static_cast<Fixed>(std::lround((at[axis] + away[axis] * distance) * 65536));
+    };
+    PunctualLight& light = sheet.punctual;
+    light.position = {place(0), place(1), place(2)};
+    light.intensity = static_cast<Fixed>(distance * distance * samples.between(30000, 65000));
+    light.colour = {0, 220, 0, 255};
+    const Point to_light = of_place(light.position) - at;
+    const double d = length(to_light);
+    const double share = light.intensity / 65536.0 / (d * d) * dot(sheet.normal(), unit(to_light));
+    expect_near(draw<effect::lighting | effect::punctual_lights>(sheet.scene(false, true), {}, kView),
+                220 * 230 / 255.0 * share);
+  }
+}
+
+/// Regression: cosines had 14 bits, of which a cone of 1 degree takes two. Spots of up to 5 degrees were too dark or
+/// too wide, some completely dark on their axis.
+TEST(EffectsLight, ANarrowSpotHasTheWidthOfItsCone) {
+  Samples samples;
+  for (int i = 0; i < 200; ++i) {
+    Sheet sheet = samples.sheet();
+    sheet.material.colour = {255, 230, 255, 255};
+    const Point at = sheet.vertex(), away = sheet.normal();
+    const auto place = [&](std::size_t axis) {
+      return static_cast<Fixed>(std::lround((at[axis] + away[axis]) * 65536));
+    };
+    PunctualLight& light = sheet.punctual;
+    light.type = PunctualLightType::spot;
+    light.position = {place(0), place(1), place(2)};
+    light.colour = {0, 220, 0, 255};
+    const double outer = samples.between(10, 50) / 10.0 * 3.14159265 / 180;
+    const double off = i % 4 == 0 ? 0 : outer;  // every fourth spot points at the vertex
+    const auto aim = [&] { return off * samples.between(-60, 60) / 100; };
+    const Point shines = unit({-away[0] + aim(), -away[1] + aim(), -away[2] + aim()});
+    const auto part = [&](std::size_t axis) { return static_cast<std::int16_t>(std::lround(shines[axis] * 32767)); };
+    light.x = part(0), light.y = part(1), light.z = part(2);
+    light.cosine_inner = static_cast<std::int16_t>(std::lround(32767 * std::cos(outer / 2)));
+    light.cosine_outer = static_cast<std::int16_t>(std::lround(32767 * std::cos(outer)));
+    const Point to_light = of_place(light.position) - at;
+    const double c = -dot(unit({light.x / 32767.0, light.y / 32767.0, light.z / 32767.0}), unit(to_light));
+    const double angular = std::clamp(
+        (c - light.cosine_outer / 32767.0) / ((light.cosine_inner - light.cosine_outer) / 32767.0), 0.0, 1.0);
+    const double d = length(to_light);
+    const double share = angular * angular / (d * d) * dot(sheet.normal(), unit(to_light));
+    expect_near(draw<effect::lighting | effect::punctual_lights>(sheet.scene(false, true), {}, kView),
+                220 * 230 / 255.0 * share);
+  }
 }
 
 TEST(EffectsLight, WhatIsNoLightIsRefused) {

@@ -128,5 +128,18 @@ player.background(None)
 player.text("")
 player.draw_into(picture)
 print("turned back", hashlib.sha256(picture).digest() == before)
+
+# A strip keeps the memory of its player, which the collector would give to others.
+view = player.strip(40)[4]
+kept = bytes(view)
+player = None
+gc.collect()
+rest = []
+try:
+    while True:
+        rest.append(bytearray(b"\xa5" * 256))
+except MemoryError:
+    rest = None
+print("kept", bytes(view) == kept)
 print("end")
 machine.reset()  # ends QEMU

@@ -90,6 +90,7 @@ print("picked", ({"background": 0, "instance": 1}[at["shown"]], at["index"], at[
   echo "changed (0, 0, 160, 120) None"
   echo "turned True"
   echo "turned back True"
+  echo "kept True"
   echo "end"
 } >expected
 
@@ -99,7 +100,7 @@ run() {
   { printf '\001'; echo "SCENES = {$scenes}"; echo "NATIVE = $2"; cat "$root/tests/package/micropython.py"; printf '\004'; } >typed
   timeout 60 "${qemu[@]}" -machine "$machine" -display none -monitor none -serial stdio "${loaded[@]}" \
     -kernel build/firmware.elf < <(sleep 1; cat typed; sleep 60) 2>"$1.errors" | tr -d '\r\004' >"$1.said" || true
-  sed -n 's/^.*>OK//;/^\(frame\|clips\|events\|picked\|strip\|changed\|turned\|end\|wrong\|no error\|Traceback\| \)/p;/Error/p' \
+  sed -n 's/^.*>OK//;/^\(frame\|clips\|events\|picked\|strip\|changed\|turned\|kept\|end\|wrong\|no error\|Traceback\| \)/p;/Error/p' \
     "$1.said" >"$1.shown"
   diff expected "$1.shown" || complain "what MicroPython shows with the $1 module (>) is not what is expected (<)"
 }

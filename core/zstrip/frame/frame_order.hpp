@@ -95,9 +95,10 @@ void draw_scene(FrameState& frame, const StripTarget& target, std::uint16_t stri
   RasterStage::draw_triangles<effects>(frame, target, strip);
 }
 
+/// Not inlined into the only caller: GCC saves more registers around both than the call takes (0.8 KB of flash).
 template <Effects effects>
-Status begin_whole_frame(FrameState& frame, const Scene& scene, const Camera& camera, const View& view,
-                         const Plan& plan, std::span<std::byte> arena) {
+[[gnu::noinline]] Status begin_whole_frame(FrameState& frame, const Scene& scene, const Camera& camera,
+                                           const View& view, const Plan& plan, std::span<std::byte> arena) {
   abandon(frame);
   const FrameRequest request{scene, camera, view, plan, count(scene), effects_of(scene, camera)};
   if (const Status status = check_frame<effects>(request, arena); !status) return status;

@@ -41,5 +41,5 @@ void loop() {
   }
   const auto shown =
       zstrip::hal::present(renderer, panel, {renderer.kPlan.strips, renderer.kPlan.strip_rows}, {pixels, {}});
-  if (!shown) Serial.println(zstrip::hal::message(shown.display));
+  if (!shown) Serial.println(shown.draw ? zstrip::hal::message(shown.display) : zstrip::message(shown.draw.error));
 }

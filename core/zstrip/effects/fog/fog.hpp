@@ -18,7 +18,7 @@ struct FogCurve {
   DistanceScale distance;
   Fixed end, range;            ///< 16.16, linear; range > 0
   std::int32_t inverse_range;  ///< reciprocal() of range << normalisation
-  std::uint32_t density;       ///< 16.16; FogMode::exponential: times log2 e
+  std::uint32_t density;       ///< 16.16; FogMode::exponential: times log2 e, with `normalisation` more fraction bits
   std::uint8_t normalisation;
   FogMode mode;
   Colour colour;
@@ -29,17 +29,19 @@ inline constexpr std::uint32_t kLog2E = 94548;  // 16.16
 
 constexpr FogCurve fog_curve(const Fog& fog, const DistanceScale& distance) {
   const Fixed range = fog.end > fog.start ? fog.end - fog.start : 1;
-  const int normalisation = std::countl_zero(static_cast<std::uint32_t>(range));
   const std::uint64_t density = fog.density > 0 ? static_cast<std::uint64_t>(fog.density) : 0;
-  const bool scaled = fog.mode == FogMode::exponential;
-  return {distance,
-          fog.end,
-          range,
-          reciprocal(static_cast<std::uint32_t>(range) << normalisation),
-          static_cast<std::uint32_t>(scaled ? density * kLog2E >> 16 : density),
-          static_cast<std::uint8_t>(normalisation),
-          fog.mode,
-          fog.colour};
+  FogCurve curve{distance, fog.end, range, 0, static_cast<std::uint32_t>(density), 0, fog.mode, fog.colour};
+  if (fog.mode == FogMode::exponential) {
+    // All bits of a small density: below 2^48, so that at most 16 of 32 fraction bits are dropped.
+    const std::uint64_t scaled = density * kLog2E;
+    const int zeros = std::countl_zero(scaled | 1);
+    curve.density = static_cast<std::uint32_t>((scaled << zeros) >> 32);
+    curve.normalisation = static_cast<std::uint8_t>(zeros - 16);
+  } else {
+    curve.normalisation = static_cast<std::uint8_t>(std::countl_zero(static_cast<std::uint32_t>(range)));
+    curve.inverse_range = reciprocal(static_cast<std::uint32_t>(range) << curve.normalisation);
+  }
+  return curve;
 }
 
 /// 2^(-i / 16), 0.16.
@@ -58,7 +60,7 @@ constexpr std::uint32_t power_of_half(std::uint64_t exponent) {
 
 /// Returns how visible a surface at `distance` (16.16, >= 0) is: 0..65536.
 constexpr std::int32_t visibility(const FogCurve& fog, Fixed distance) {
-  const auto w = static_cast<std::uint64_t>(distance);  // times the density below 2^63: 2^31 * 2^31 * 1.44
+  const auto w = static_cast<std::uint64_t>(distance);  // times the density below 2^63: 2^31 * 2^32
   switch (fog.mode) {
     case FogMode::linear: {
       const std::int64_t left = std::clamp<std::int64_t>(std::int64_t{fog.end} - distance, 0, fog.range);
@@ -67,7 +69,8 @@ constexpr std::int32_t visibility(const FogCurve& fog, Fixed distance) {
                                        8192) >>
              14;
     }
-    case FogMode::exponential: return static_cast<std::int32_t>(power_of_half((w * fog.density) >> 16));
+    case FogMode::exponential:
+      return static_cast<std::int32_t>(power_of_half((w * fog.density) >> (16 + fog.normalisation)));
     case FogMode::exponential_squared: break;
   }
   const std::uint64_t product = std::min<std::uint64_t>((w * fog.density) >> 16, 8 << 16);  // 4.16

@@ -27,15 +27,16 @@ FrameLights frame_lights(const Scene& scene, const Camera& camera) {
     WorldLight& world = frame.lights[frame.count++];
     world.position = {relative(light.position.x, camera.eye.x), relative(light.position.y, camera.eye.y),
                       relative(light.position.z, camera.eye.z)};
-    world.towards = {-light.x >> 1, -light.y >> 1, -light.z >> 1};
+    const auto opposite = [](std::int16_t c) { return (1 - c) >> 1; };  // 1.14, to nearest
+    world.towards = {opposite(light.x), opposite(light.y), opposite(light.z)};
     world.range = light.range >> 1;
     if (light.range > 0 && world.range == 0) world.range = 1;
     world.intensity = light.intensity > 0 ? static_cast<std::uint32_t>(light.intensity) : 0;
     world.colour = light.colour;
     if (light.type == PunctualLightType::spot) {
-      world.cosine_outer = light.cosine_outer >> 1;
-      const std::int32_t between = (light.cosine_inner >> 1) - world.cosine_outer;
-      world.cone = (1U << 28) / static_cast<std::uint32_t>(std::max<std::int32_t>(between, 1));
+      world.outer = (INT16_MAX - light.cosine_outer) * (1 << 13);
+      const std::int32_t between = light.cosine_inner - light.cosine_outer;  // 1.15
+      world.cone = (1U << 29) / static_cast<std::uint32_t>(std::max<std::int32_t>(between, 1));
     }
   }
   return frame;

@@ -21,14 +21,21 @@ struct WorldPoint {
   std::int32_t x, y, z;
 };
 
-/// Returns base^exponent for 0 <= base <= 2^14 (0.14), rounded down in every step: at most 14 multiplications.
+/// Returns base^exponent for 0 <= base < 2^16 (0.16), rounded in every step: at most 16 multiplications.
 constexpr std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
-  std::uint32_t result = 1U << 14;
+  std::uint32_t result = 1U << 16;  // a product with the base is at most 2^32 - 2^16
   for (; exponent != 0; exponent >>= 1) {
-    if ((exponent & 1) != 0) result = (result * base) >> 14;
-    base = (base * base) >> 14;
+    if ((exponent & 1) != 0) result = (result * base + (1U << 15)) >> 16;
+    base = (base * base + (1U << 15) - 1) >> 16;
   }
   return result;
+}
+
+/// Returns 1 - cosine of the angle between two unit vectors, 4.28: half of the square of their difference. Near 0 it
+/// has more bits than a dot product, and the errors of the vectors' lengths cancel.
+constexpr std::uint32_t apart(const UnitVector& a, const UnitVector& b) {
+  const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };  // 2^30 at most
+  return (square(a.x - b.x) + square(a.y - b.y) + square(a.z - b.z)) >> 1;
 }
 
 /// The amount of light that reaches a surface, 8.12: 1.0 is the light's full colour; saturates.
@@ -37,12 +44,12 @@ inline constexpr Gain kAllOfIt = 1U << 12, kMaxGain = 1U << 20;
 
 struct WorldLight {
   WorldPoint position;
-  UnitVector towards;         ///< 1.14, opposite to the spot's direction
-  std::int32_t range;         ///< 17.15; 0: unlimited
-  std::uint32_t intensity;    ///< 16.16
-  std::int32_t cosine_outer;  ///< 1.14
-  std::uint32_t cone;         ///< 2^28 / (cosine of the inner cone - cosine of the outer cone), at most 2^28; 0: a
-                              ///< point light
+  UnitVector towards;       ///< 1.14, opposite to the spot's direction
+  std::int32_t range;       ///< 17.15; 0: unlimited
+  std::uint32_t intensity;  ///< 16.16
+  std::int32_t outer;       ///< 2.28: 1 - cosine of the outer cone
+  std::uint32_t cone;       ///< 2^14 / (cosine of the inner cone - cosine of the outer cone), at most 2^29; 0: a
+                            ///< point light
   Colour colour;
 };
 static_assert(sizeof(WorldLight) == local_light::Effect::kWorldLightBytes);
@@ -52,12 +59,16 @@ constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& fr
   // intensity / d^2, d = root 2^shift / 2^15.
   const std::uint32_t half = from.inverse >> 1;
   const std::uint32_t inverse_square = half * half;  // 2^58 / root^2
-  const std::uint32_t product =
-      multiply_high(light.intensity, inverse_square);  // 4096 intensity / d^2 = product 2^-shift
+  // 4096 intensity / d^2 = product 2^-(32 + shift). Near a light, where the shift is negative, the product's lower
+  // word has most of the bits.
+  const std::uint64_t product = long_product(light.intensity, inverse_square);
   const std::int32_t shift = 2 * from.shift;
-  std::uint32_t gain = shift >= 0 ? (shift < 32 ? product >> shift : 0)
-                                  : (shift > -20 && product < (kMaxGain >> -shift) ? product << -shift : kMaxGain);
-  gain = product == 0 ? 0 : std::min(gain, kMaxGain);
+  Gain gain = 0;
+  if (shift < 0) {
+    gain = static_cast<Gain>(std::min<std::uint64_t>(product >> std::max<std::int32_t>(32 + shift, 0), kMaxGain));
+  } else if (shift < 32) {
+    gain = std::min(static_cast<std::uint32_t>(product >> 32) >> shift, kMaxGain);
+  }
   if (light.range != 0) {
     const std::uint64_t distance =
         from.shift >= 0 ? std::uint64_t{from.root} << from.shift : from.root >> std::min<std::int32_t>(-from.shift, 31);
@@ -69,9 +80,9 @@ constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& fr
     gain = static_cast<std::uint32_t>((std::uint64_t{gain} * (32768 - ((square * square) >> 15))) >> 15);
   }
   if (light.cone != 0) {
-    const std::int32_t above = (dot(light.towards, from.unit) >> 14) - light.cosine_outer;  // 1.14
+    const std::int32_t above = light.outer - static_cast<std::int32_t>(apart(light.towards, from.unit));  // 2.28
     if (above <= 0) return 0;
-    const std::uint64_t ratio = (std::uint64_t{light.cone} * static_cast<std::uint32_t>(above)) >> 14;  // 0.14
+    const std::uint64_t ratio = (std::uint64_t{light.cone} * static_cast<std::uint32_t>(above)) >> 28;  // 0.14
     const auto within = static_cast<std::uint32_t>(std::min<std::uint64_t>(ratio, 1U << 14));
     gain = static_cast<std::uint32_t>((std::uint64_t{gain} * ((within * within) >> 14)) >> 14);
   }
@@ -121,9 +132,11 @@ struct LitPoint {
     if constexpr (effects.has(effect::specular)) {
       if (!shines || dot(normal, towards) <= 0) return;
       const UnitVector half = direction(towards.x + to_eye.x, towards.y + to_eye.y, towards.z + to_eye.z).unit;
-      const std::int32_t cosine = std::clamp<std::int32_t>(dot(normal, half) >> 14, 0, 1 << 14);  // 0.14
-      const std::uint32_t share = power(static_cast<std::uint32_t>(cosine), shininess);
-      highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
+      const std::uint32_t off = apart(normal, half);
+      const std::uint32_t cosine =  // 0.16
+          off < 1U << 28 ? std::min<std::uint32_t>(((1U << 28) - off + (1U << 11)) >> 12, 0xFFFF) : 0;
+      const std::uint32_t share = power(cosine, shininess);
+      highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 16));
     }
   }
   /// Adds the highlight of a directional light, whose diffuse part does not depend on the position.
