@@ -120,7 +120,7 @@ static mp_obj_t view_of(player_obj* self, const void* bytes, size_t size) {
 #else
   mp_obj_t view = mp_obj_new_memoryview('B', size, self->memory);
 #endif
-  ((mp_obj_array_t*)MP_OBJ_TO_PTR(view))->free = (size_t)((const byte*)bytes - self->memory);
+  ((mp_obj_array_t*)MP_OBJ_TO_PTR(view))->free = (size_t)((const byte*)bytes - self->memory);  // the view's offset
   return view;
 }
 

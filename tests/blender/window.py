@@ -125,6 +125,22 @@ def steps():
     viewport().spaces.active.region_3d.view_perspective = 'ORTHO'
     yield lambda: view.pictures > pictures
     check(view.message == '', f'a parallel view is drawn: {view.message}')
+    # A cube before the point about which the view turns was cut away.
+    region = viewport().spaces.active.region_3d
+    region.view_location, region.view_rotation, region.view_distance = (0, 0, 0), (1, 0, 0, 0), 8
+    with in_viewport():
+        bpy.ops.mesh.primitive_cube_add(size=1, location=(0, 0, 3))
+    nearer = bpy.context.object
+    material = bpy.data.materials.new('red')
+    material.use_nodes = True
+    material.node_tree.nodes['Principled BSDF'].inputs['Base Color'].default_value = (1, 0, 0, 1)
+    nearer.data.materials.append(material)
+    at = 3 * (60 * 22 + 30)
+    yield lambda: view._shown.rgb[at] > 2 * view._shown.rgb[at + 1]
+    check(True, 'a parallel view shows what lies before its middle')
+    pictures = view.pictures
+    bpy.data.objects.remove(nearer)
+    yield lambda: view.pictures > pictures and view._shown.rgb[at] <= 2 * view._shown.rgb[at + 1]
 
     with in_viewport():
         bpy.context.view_layer.objects.active = bpy.data.objects['Cube']

@@ -14,9 +14,9 @@ namespace {
 
 using detail::Quaternion;
 
-/// Returns |q|^2 in 2.30, of a quaternion in 1.15.
+/// Returns |q|^2 in 2.30, of a quaternion in 1.15. Four components of -1.0 overflow to 0.
 std::uint32_t square_of(const std::int16_t (&q)[4]) {
-  std::uint32_t sum = 0;  // four products of at most 2^30 fit
+  std::uint32_t sum = 0;  // of four products of at most 2^30
   for (const std::int32_t c : q) sum += static_cast<std::uint32_t>(c * c);
   return sum;
 }

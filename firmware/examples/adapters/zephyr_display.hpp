@@ -1,7 +1,8 @@
 // zstrip on the display interface of Zephyr. Drivers have taken the pixels when a call returns, so that
 // one strip buffer is enough.
 // Needs CONFIG_DISPLAY and a device, as DEVICE_DT_GET(DT_CHOSEN(zephyr_display)). The program calls
-// display_blanking_off().
+// display_blanking_off(). Some drivers (SDL, electronic paper) show a frame when its last corner is written: with
+// ChangedTiles, which writes what has changed, they may show it late.
 // Format: what the driver reports. From Zephyr 4.4 on PIXEL_FORMAT_RGB_565 is rgb565, PIXEL_FORMAT_RGB_565X is
 // rgb565_swapped. Up to 4.2 PIXEL_FORMAT_RGB_565 has the high byte first, rgb565_swapped, and PIXEL_FORMAT_BGR_565 is
 // rgb565. In 4.3 drivers differ, and in any release one may report the wrong order: where black and white are right and

@@ -9,10 +9,12 @@ import bpy
 import gpu
 from bpy_extras import view3d_utils
 from gpu_extras import batch
+from mathutils import Matrix, Vector
 
 from . import command, export, glb, latest, picture, preferences, process, properties, viewports
 
 CAMERA = 'zstrip view'
+_WITHOUT_FACES = {'ARMATURE', 'CAMERA', 'EMPTY', 'LATTICE', 'LIGHT', 'LIGHT_PROBE', 'SPEAKER'}
 TICK = 0.04
 # Exporting takes Blender's own thread: a scene that changes all the time is exported this often.
 EXPORT_SECONDS = 0.15
@@ -141,8 +143,10 @@ class LiveView:
         if view.view_perspective == 'CAMERA' and scene.camera is not None:
             self._wanted = _Shot(settings)
         else:
-            matrix = glb.to_y_up(view.view_matrix.inverted())
-            self._wanted = _Shot(settings, tuple(matrix), lens_of(context, height / region.height))
+            matrix, lens = view.view_matrix.inverted(), lens_of(context, height / region.height)
+            if not view.is_perspective:
+                matrix, lens = before_all(depsgraph, matrix, lens)
+            self._wanted = _Shot(settings, tuple(glb.to_y_up(matrix)), lens)
         if self._shown is not None:
             self._draw_picture(left, bottom, width, height)
 
@@ -192,6 +196,21 @@ def place_of_picture(context, scene, width, height):
     scale = min(region.width / width, region.height / height)
     wide, high = width * scale, height * scale
     return (region.width - wide) / 2, (region.height - high) / 2, wide, high
+
+
+def before_all(depsgraph, matrix, lens):
+    """Returns matrix and glb.Lens of a camera that sees what a parallel view shows. The matrix of Blender's view lies at
+    the point about which it turns, and the view shows half of its clip end before that point, too."""
+    axis, half = matrix.col[2].xyz, lens.far / 2
+    reach = 0.0
+    for shown in depsgraph.object_instances:
+        if shown.object.type in _WITHOUT_FACES:
+            continue
+        for corner in shown.object.bound_box:
+            reach = max(reach, (shown.matrix_world @ Vector(corner) - matrix.translation).dot(axis))
+    # Rounding must not bring a corner before the near plane.
+    back = 1.01 * min(reach, half) + 0.01 * lens.half_height + 2 * lens.near
+    return Matrix.Translation(axis * back) @ matrix, replace(lens, far=back + half)
 
 
 def lens_of(context, share):
