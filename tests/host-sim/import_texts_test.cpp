@@ -107,6 +107,21 @@ TEST_F(Import, LinesOfObjThatAreNotDrawnAreSkipped) {
   EXPECT_TRUE(read.segments.empty());
 }
 
+/// A cube of such faces was drawn as points, without a message.
+TEST_F(Import, FacesOfObjThatNameTextureCoordinatesWithoutAnyWereLost) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  const std::string normals = "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nvn 0 0 -1\n";
+  const Model expected = model(file("e.obj", corners + normals + "f 1//1 2//2 3//3\nf 2//1 4//1 3//1\nl 1 4\n"));
+  for (const char* faces : {"f 1/1/1 2/2/2 3/3/3\nf 2/4/1 4/4/1 3/4/1 # back\nl 1/1 4/4\n",
+                            "f 1/-1/1 2/-1/2 3/-1/3\nf 2/9/1 4/9/1 3/9/1\nl 1 4\n",
+                            "f 1/1/1 2/2/2 3/3/3\nf -3//1 -1//1 -2//1\nl 1/1 4\n"}) {
+    const Model read = model(file("m.obj", corners + normals + faces));
+    EXPECT_EQ(triangles(read), triangles(expected)) << faces;
+    EXPECT_EQ(read.segments.size(), 1U) << faces;
+    EXPECT_TRUE(read.warnings.empty()) << faces;
+  }
+}
+
 TEST_F(Import, TexturesAreFoundInFoldersOfAnotherMachine) {
   std::filesystem::create_directory(path("Tex Dir"));
   png("Tex Dir/My Red.PNG", 2, 2, 0xF800);
@@ -142,7 +157,7 @@ TEST_F(Import, OptionsOfATextureMoveAndScaleIt) {
   EXPECT_EQ(texcoords(""), (std::array<double, 3>{1, 1, 0}));
   EXPECT_EQ(texcoords("-s 2 3 1 "), (std::array<double, 3>{2, 3, 0}));
   EXPECT_EQ(texcoords("-o .25 0 -S 2 "), (std::array<double, 3>{2, 1, .25}));
-  EXPECT_EQ(texcoords("-clamp off -blendu on -mm 0 1 -imfchan r -bm 2 -t 0 0 0 -texres 64 "),
+  EXPECT_EQ(texcoords("-clamp off -blendu on -mm 0 1 -imfchan r -bm 2 -t 0 0 0 -texres 64 -colorspace sRGB "),
             (std::array<double, 3>{1, 1, 0}));
 }
 
