@@ -5,10 +5,13 @@
 #include <assimp/IOStream.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -57,6 +60,53 @@ std::string without_groups(std::string_view raw) {
   return text;
 }
 
+/// Puts each vertex and face of an OFF file on a line of its own. The format separates numbers by any spaces, but
+/// Assimp reads lines and crashes if a face takes several. Returns other texts, for example with colours, unchanged.
+std::string with_lines_of_elements(std::string_view off) {
+  static constexpr std::string_view kSpaces = " \t\r\n";
+  std::string_view rest = off;
+  const auto take_word = [&rest] {
+    rest.remove_prefix(std::min(rest.find_first_not_of(kSpaces), rest.size()));
+    while (rest.starts_with('#')) {
+      rest.remove_prefix(std::min(rest.find_first_of("\r\n"), rest.size()));
+      rest.remove_prefix(std::min(rest.find_first_not_of(kSpaces), rest.size()));
+    }
+    const std::string_view word = rest.substr(0, rest.find_first_of(kSpaces));
+    rest.remove_prefix(word.size());
+    return word;
+  };
+  std::string lines = "OFF\n";
+  const auto append_words = [&](std::uint64_t count) {
+    for (; count > 0; --count) {
+      const std::string_view word = take_word();
+      if (word.empty()) return false;
+      lines += word;
+      lines += count == 1 ? '\n' : ' ';
+    }
+    return true;
+  };
+  const auto take_count = [&]() -> std::optional<std::uint64_t> {
+    const std::string_view word = take_word();
+    std::uint64_t count = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+    return error == std::errc() && end == word.data() + word.size() ? std::optional(count) : std::nullopt;
+  };
+  if (take_word() != "OFF") return std::string(off);
+  const std::optional<std::uint64_t> vertices = take_count(), faces = take_count(), edges = take_count();
+  if (!vertices || !faces || !edges) return std::string(off);
+  lines += std::to_string(*vertices) + ' ' + std::to_string(*faces) + ' ' + std::to_string(*edges) + '\n';
+  for (std::uint64_t i = 0; i < *vertices; ++i) {
+    if (!append_words(3)) return std::string(off);
+  }
+  for (std::uint64_t i = 0; i < *faces; ++i) {
+    const std::optional<std::uint64_t> corners = take_count();
+    if (!corners) return std::string(off);
+    lines += std::to_string(*corners) + ' ';
+    if (*corners == 0 || !append_words(*corners)) return std::string(off);
+  }
+  return take_word().empty() ? lines : std::string(off);
+}
+
 /// True if the text begins with the UTF-8 mark; binary formats may begin with the same bytes by chance.
 bool has_mark_of_utf8(std::string_view bytes) {
   return bytes.starts_with(kMarkOfUtf8) && bytes.find('\0') == std::string_view::npos;
@@ -101,6 +151,7 @@ std::string ModelFiles::place_of(const char* file) const {
 std::string ModelFiles::plain(const std::string& file, std::string text) {
   const std::string ending = ending_of(model_);
   if (ending == ".raw") return without_groups(text);
+  if (ending == ".off") return with_lines_of_elements(text);
   if (ending != ".obj") return text;
   if (file != model_) return plain_mtl(text, of_blender_, read_.warnings, read_.materials);
   of_blender_ = is_of_blender(text);
@@ -127,7 +178,7 @@ Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
   begin.resize(stream->Read(begin.data(), 1, begin.size()));
   stream->Seek(0, aiOrigin_SET);
   const std::string ending = ending_of(model_);
-  const bool has_plain_form = ending == ".raw" || ending == ".obj";
+  const bool has_plain_form = ending == ".raw" || ending == ".off" || ending == ".obj";
   if (!has_plain_form && !is_utf16(begin) && !has_mark_of_utf8(begin)) return stream.release();
   const std::string text = plain(file, as_utf8(rest_of(*stream)));
   auto bytes = std::make_unique<std::uint8_t[]>(text.size());

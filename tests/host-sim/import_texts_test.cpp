@@ -107,6 +107,21 @@ TEST_F(Import, LinesOfObjThatAreNotDrawnAreSkipped) {
   EXPECT_TRUE(read.segments.empty());
 }
 
+/// A cube of such faces was drawn as points, without a message.
+TEST_F(Import, FacesOfObjThatNameTextureCoordinatesWithoutAnyWereLost) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  const std::string normals = "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nvn 0 0 -1\n";
+  const Model expected = model(file("e.obj", corners + normals + "f 1//1 2//2 3//3\nf 2//1 4//1 3//1\nl 1 4\n"));
+  for (const char* faces : {"f 1/1/1 2/2/2 3/3/3\nf 2/4/1 4/4/1 3/4/1 # back\nl 1/1 4/4\n",
+                            "f 1/-1/1 2/-1/2 3/-1/3\nf 2/9/1 4/9/1 3/9/1\nl 1 4\n",
+                            "f 1/1/1 2/2/2 3/3/3\nf -3//1 -1//1 -2//1\nl 1/1 4\n"}) {
+    const Model read = model(file("m.obj", corners + normals + faces));
+    EXPECT_EQ(triangles(read), triangles(expected)) << faces;
+    EXPECT_EQ(read.segments.size(), 1U) << faces;
+    EXPECT_TRUE(read.warnings.empty()) << faces;
+  }
+}
+
 TEST_F(Import, TexturesAreFoundInFoldersOfAnotherMachine) {
   std::filesystem::create_directory(path("Tex Dir"));
   png("Tex Dir/My Red.PNG", 2, 2, 0xF800);
@@ -142,7 +157,7 @@ TEST_F(Import, OptionsOfATextureMoveAndScaleIt) {
   EXPECT_EQ(texcoords(""), (std::array<double, 3>{1, 1, 0}));
   EXPECT_EQ(texcoords("-s 2 3 1 "), (std::array<double, 3>{2, 3, 0}));
   EXPECT_EQ(texcoords("-o .25 0 -S 2 "), (std::array<double, 3>{2, 1, .25}));
-  EXPECT_EQ(texcoords("-clamp off -blendu on -mm 0 1 -imfchan r -bm 2 -t 0 0 0 -texres 64 "),
+  EXPECT_EQ(texcoords("-clamp off -blendu on -mm 0 1 -imfchan r -bm 2 -t 0 0 0 -texres 64 -colorspace sRGB "),
             (std::array<double, 3>{1, 1, 0}));
 }
 
@@ -216,6 +231,47 @@ TEST_F(Import, MaterialsOfObjThatAreNotDefinedAreSaid) {
     const Model read = model(file("m.obj", begin + more));
     EXPECT_EQ(read.warnings, warning.empty() ? std::vector<std::string>{} : std::vector{warning});
   }
+}
+
+/// Assimp makes vertices without a colour transparent black.
+TEST_F(Import, AmfWithoutColoursWasBlack) {
+  const auto colours = [&](const std::string& of_object, const std::string& of_triangle) {
+    std::string vertices;
+    for (const char* place : {"<x>0</x><y>0</y><z>0</z>", "<x>1</x><y>0</y><z>0</z>", "<x>0</x><y>1</y><z>0</z>"}) {
+      vertices += std::string("<vertex><coordinates>") + place + "</coordinates></vertex>";
+    }
+    const Model read = model(file("m.amf", R"(<?xml version="1.0" encoding="utf-8"?><amf><object id="1">)" + of_object +
+                                               "<mesh><vertices>" + vertices +
+                                               "</vertices><volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3>" +
+                                               of_triangle + "</triangle></volume></mesh></object></amf>"));
+    std::set<std::array<int, 3>> found;
+    for (const Mesh& mesh : read.meshes) {
+      for (const Colour& c : mesh.colours) found.insert({c.r, c.g, c.b});
+    }
+    if (found.empty()) {
+      const Colour c = read.materials[read.instances[0].material].colour;
+      found.insert({c.r, c.g, c.b});
+    }
+    return found;
+  };
+  const std::set<std::array<int, 3>> red{std::array{255, 0, 0}}, black{std::array{0, 0, 0}};
+  EXPECT_NE(colours("", ""), black);
+  EXPECT_EQ(colours("<color><r>1</r><g>0</g><b>0</b></color>", ""), red);
+  EXPECT_EQ(colours("<color><r>0</r><g>0</g><b>0</b></color>", ""), black);
+  EXPECT_EQ(colours("", "<color><r>1</r><g>0</g><b>0</b></color>"), red);
+}
+
+/// The reader crashed where a face took several lines.
+TEST_F(Import, NumbersOfOffMayStandOnAnyLines) {
+  const Model expected = model(file("e.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
+  ASSERT_FALSE(triangles(expected).empty());
+  for (const char* off : {"OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3\n0\n1\n2\n3\n0\n2\n3\n\n",
+                          "OFF 4 2\r\n0 # counts\r\n0 0 0 1 0 0\r\n1 1 0\r\n0 1\r\n0 3 0 1 2 3 0 2 3"}) {
+    EXPECT_EQ(triangles(model(file("m.off", off))), triangles(expected)) << off;
+  }
+  const Model coloured =
+      model(file("c.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n"));
+  EXPECT_EQ(triangles(coloured), triangles(expected));
 }
 
 /// Of several groups one was read, and pointers to nothing followed.

@@ -215,6 +215,25 @@ TEST_F(Ply, ElementsBeforeTheVerticesWereLost) {
   EXPECT_NE(failure(file("bad.ply", text_of(faces, coloured))).find("has no vertices"), std::string::npos);
 }
 
+/// They were taken for the next element, as MeshLab wrote them: triangles lay anywhere, or the file was refused.
+TEST_F(Ply, ValuesThatTheHeaderDoesNotStateAreLeftOut) {
+  const std::string elements = "element vertex 4\n" + kPlace + "element face 2\n" + kFace;
+  const Model expected = ply(elements, kSquare + "3 0 1 2\n3 0 2 3\n");
+  for (const std::string& values :
+       {kSquare + "3 0 1 2 9 1 1 1 1 1 1 1 1 1 \n3 0 2 3 9 1 1 1 1 1 1 1 1 1 \n",
+        std::string("0 0 0 7\r\n1 0 0 7\r\n1 1 0 7\r\n\r\n0 1 0 7\r\n3 0 1 2\r\n3 0 2 3 0")}) {
+    const Model read = ply(elements, values);
+    EXPECT_EQ(triangles(read), triangles(expected)) << values;
+    ASSERT_EQ(read.warnings.size(), 1U) << values;
+    EXPECT_EQ(read.warnings[0], "values at the ends of lines left out: the header does not state them");
+  }
+  for (const std::string& values :
+       {std::string("0 0 0 1 0 0\n1 1\n0 0 1 0 3 0 1 2 3\n0 2 3\n"), kSquare + "3 0 1 2\n3 0 2 3\nend\n"}) {
+    const Model read = ply(elements, values);
+    EXPECT_EQ(triangles(read), triangles(expected)) << "elements that begin anywhere, and words after them: " << values;
+  }
+}
+
 /// Damaged headers took 20 seconds of processor each, until the guard stopped them.
 TEST_F(Ply, DamageIsRefusedForWhatItIs) {
   const std::string vertices = "element vertex 3\n" + kPlace, faces = "element face 1\n" + kFace;

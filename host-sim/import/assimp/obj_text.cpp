@@ -141,7 +141,7 @@ std::optional<double> number_of(std::string_view word) {
 
 /// Facts about all vertices that a file has.
 struct Vertices {
-  bool coloured = false;
+  bool coloured = false, has_texcoords = false;
   std::array<double, 3> origin{};  ///< of positions too far away for floats
 };
 
@@ -153,7 +153,9 @@ Vertices survey(std::string_view text) {
   while (!text.empty()) {
     std::string_view line = take_statement(text);
     VertexWords words;
-    if (take_word(line) != "v") continue;
+    const std::string_view key = take_word(line);
+    if (key == "vt") found.has_texcoords = true;
+    if (key != "v") continue;
     const std::span<const std::string_view> of_vertex = take_words(line, words);
     if (has_colour(of_vertex)) found.coloured = true;
     for (std::size_t axis = 0; of_vertex.size() >= 3 && axis < 3; ++axis) {
@@ -196,6 +198,19 @@ void append_vertex(std::string& to, std::span<const std::string_view> words, con
   }
   if (coloured && used == 3) to += fmt::format(" {0} {0} {0}", kNoColour);
   to += '\n';
+}
+
+/// Appends the corners of a face or line without texture coordinates: "1/2/3" becomes "1//3", and "1/2" becomes "1".
+void append_without_texcoords(std::string& to, std::string_view corners) {
+  for (std::string_view corner = take_word(corners); !corner.empty(); corner = take_word(corners)) {
+    const std::size_t texcoord = std::min(corner.find('/'), corner.size());
+    const std::size_t normal = corner.find('/', texcoord + 1);
+    to += ' ';
+    to += corner.substr(0, texcoord);
+    if (normal == std::string_view::npos) continue;
+    to += '/';
+    to += corner.substr(normal);
+  }
 }
 
 /// Reads three numbers, or one for all three channels.
@@ -246,6 +261,11 @@ std::string plain_obj(std::string_view from, const std::function<bool(std::strin
       plain += found.size() == 1 ? " 0\n" : "\n";
     } else if (key == "mtllib") {
       append_libraries(plain, trimmed(rest), is_file);
+    } else if ((key == "f" || key == "l") && !all.has_texcoords) {
+      // Assimp left out faces that name texture coordinates of a file without any, or took them for normals.
+      plain += key;
+      append_without_texcoords(plain, rest);
+      plain += '\n';
     } else if (is_read(key)) {
       plain += line;
       plain += '\n';
@@ -296,8 +316,8 @@ void take_numbers(std::string_view& rest, std::array<double, 2>& numbers) {
 }
 
 MtlTexture texture_of(std::string_view line) {
-  constexpr std::array<std::string_view, 8> kOfOneWord{"-blendu", "-blendv",  "-boost",  "-cc",
-                                                       "-bm",     "-imfchan", "-texres", "-type"};
+  constexpr std::array<std::string_view, 9> kOfOneWord{"-blendu",  "-blendv", "-boost", "-cc",        "-bm",
+                                                       "-imfchan", "-texres", "-type",  "-colorspace"};
   MtlTexture texture;
   std::array<double, 2> ignored{};
   while (true) {

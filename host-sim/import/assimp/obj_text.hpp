@@ -29,10 +29,11 @@ struct ObjMaterials {
   std::map<std::string, TexturePlace> places;  ///< of those whose textures are scaled or moved
 };
 
-/// In the result all vertices have 3 or 4 numbers, or all have 3 and a colour. Texture coordinates have 2 or 3. Numbers
-/// have a leading zero, and no comment after them, names no spaces after them. Each file of materials has a line of its
-/// own: `is_file` says if there is a file of this name. Materials of faces and lines are added to `used`. Positions too
-/// far away for floats get an origin of their own, which is returned in `origin`.
+/// In the result all vertices have 3 or 4 numbers, or all have 3 and a colour. Texture coordinates have 2 or 3; faces
+/// and lines name none if the file has none. Numbers have a leading zero, and no comment after them, names no spaces
+/// after them. Each file of materials has a line of its own: `is_file` says if there is a file of this name. Materials
+/// of faces and lines are added to `used`. Positions too far away for floats get an origin of their own, which is
+/// returned in `origin`.
 std::string plain_obj(std::string_view from, const std::function<bool(std::string_view)>& is_file,
                       std::set<std::string>& used, std::array<double, 3>& origin);
 

@@ -26,6 +26,7 @@
 #include "import/assimp/obj_text.hpp"
 #include "import/assimp/unread.hpp"
 #include "import/assimp/up_axis.hpp"
+#include "import/ending.hpp"
 #include "import/mesh_groups.hpp"
 #include "import/model_files.hpp"
 #include "import/screen_channel.hpp"
@@ -82,8 +83,10 @@ class SilentStreams {
   std::streambuf *out_, *err_;
 };
 
-/// True if the vertex has a colour, in a file where other vertices have one.
-bool has_colour(const aiColor4D& colour) {
+/// True if the vertex has a colour, in a file where other vertices have one. In AMF Assimp makes vertices without a
+/// colour transparent black.
+bool has_colour(const aiColor4D& colour, bool of_amf) {
+  if (of_amf) return colour != aiColor4D(0, 0, 0, 0);
   return colour.r != kNoColour || colour.g != kNoColour || colour.b != kNoColour;
 }
 
@@ -127,10 +130,11 @@ std::string without_contents(std::string_view reason) {
 /// Walks the nodes and collects their transformed meshes.
 class Collector {
  public:
-  Collector(const aiScene& scene, const Affine& turn, const FilesRead& files, const MaterialReader& materials,
-            Texcoords texcoords, SourceModel& model)
+  Collector(const aiScene& scene, const Affine& turn, bool of_amf, const FilesRead& files,
+            const MaterialReader& materials, Texcoords texcoords, SourceModel& model)
       : scene_(scene),
         turn_(turn),
+        of_amf_(of_amf),
         files_(files),
         materials_(materials),
         texcoords_(texcoords),
@@ -146,6 +150,7 @@ class Collector {
 
   const aiScene& scene_;
   Affine turn_;
+  bool of_amf_;
   const FilesRead& files_;
   const MaterialReader& materials_;
   Texcoords texcoords_;
@@ -200,7 +205,7 @@ SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatri
     const aiColor4D& colour = mesh.mColors[0][index];
     const auto& [r, g, b] = model_.materials[to.material].colour;
     vertex.colour = {r, g, b, 255};
-    if (has_colour(colour)) {
+    if (has_colour(colour, of_amf_)) {
       vertex.colour = {to_screen_channel(colour.r, false), to_screen_channel(colour.g, false),
                        to_screen_channel(colour.b, false), 255};
     }
@@ -226,8 +231,9 @@ Result<Done> Collector::add(const aiMesh& mesh, const Affine& transform) {
   const unsigned set = materials_.texcoord_set(to.material);
   const bool wants_texcoords =
       texcoords_ == Texcoords::all || model_.materials[to.material].texture != kNoSourceTexture;
-  to.has_colours =
-      mesh.HasVertexColors(0) && std::ranges::any_of(std::span(mesh.mColors[0], mesh.mNumVertices), has_colour);
+  to.has_colours = mesh.HasVertexColors(0) &&
+                   std::ranges::any_of(std::span(mesh.mColors[0], mesh.mNumVertices),
+                                       [this](const aiColor4D& colour) { return has_colour(colour, of_amf_); });
   to.has_texcoords = wants_texcoords && set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
   to.left_at_rest = mesh.mNumAnimMeshes > 0 && scene_.mNumAnimations > 0;
   to.mirrored = determinant(transform) < 0;
@@ -309,7 +315,8 @@ Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional
   const Affine turn = turn_up(up.value_or(up_of_format(*scene, path)));
   MaterialReader materials(*scene, path, model);
   materials.read_all();
-  if (const Result<Done> collected = Collector(*scene, turn, files, materials, texcoords, model).collect();
+  if (const Result<Done> collected =
+          Collector(*scene, turn, ending_of(path) == ".amf", files, materials, texcoords, model).collect();
       !collected) {
     return collected.failure();
   }

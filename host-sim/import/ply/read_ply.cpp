@@ -81,13 +81,18 @@ struct ColourPlace {
 constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 static_assert(3 * kMaxTriangles < kNoVertex);
 
+/// Where the elements of a text begin.
+enum class Rows { follow_each_other, begin_lines };
+
 /// The elements of a file as parts of a model.
 class PlyReader {
  public:
-  PlyReader(std::string_view data, const PlyHeader& header, const Affine& turn)
-      : values_(data, header.format), header_(header), turn_(turn) {}
+  PlyReader(std::string_view data, const PlyHeader& header, const Affine& turn, Rows rows)
+      : values_(data, header.format), header_(header), turn_(turn), rows_(rows) {}
 
   Result<Done> read_all();
+  /// True if all values of a text are read.
+  bool is_at_end() const { return values_.is_at_end(); }
   Result<SourceModel> model(const ReadPicture& read_picture, Texcoords texcoords) &&;
 
  private:
@@ -115,6 +120,7 @@ class PlyReader {
   PlyValues values_;
   const PlyHeader& header_;
   Affine turn_;
+  Rows rows_;
   SourcePrimitive part_;
   std::size_t vertices_ = 0;  ///< of the element `vertex`; copies with colours of faces follow them
   std::size_t faces_ = 0, too_large_ = 0;
@@ -133,6 +139,7 @@ Result<Done> PlyReader::for_each(const PlyElement& element, const Visit& visit) 
     if (!read_row(values_, element, row)) {
       return unreadable_model(fmt::format("it ends in its elements '{}'", printable(element.name)));
     }
+    if (rows_ == Rows::begin_lines) values_.skip_line();
     if (const Result<Done> done = visit(row); !done) return done.failure();
   }
   return Done{};
@@ -360,8 +367,19 @@ Result<SourceModel> read_ply(std::string_view file, const ReadPicture& read_pict
                              Texcoords texcoords) {
   const Result<PlyHeader> header = read_ply_header(file);
   if (!header) return unreadable_model(header.failure().message);
-  PlyReader reader(file.substr(header->bytes), *header, turn);
-  if (const Result<Done> read = reader.read_all(); !read) return read.failure();
+  const std::string_view data = file.substr(header->bytes);
+  PlyReader reader(data, *header, turn, Rows::follow_each_other);
+  const Result<Done> read = reader.read_all();
+  if (header->format == PlyFormat::text && !(read && reader.is_at_end())) {
+    // Versions of MeshLab wrote more values behind a face than the header states.
+    PlyReader of_lines(data, *header, turn, Rows::begin_lines);
+    if (of_lines.read_all() && of_lines.is_at_end()) {
+      Result<SourceModel> model = std::move(of_lines).model(read_picture, texcoords);
+      if (model) model->warnings.emplace_back("values at the ends of lines left out: the header does not state them");
+      return model;
+    }
+  }
+  if (!read) return read.failure();
   return std::move(reader).model(read_picture, texcoords);
 }
 

@@ -10,6 +10,8 @@
 namespace zstrip::sim {
 namespace {
 
+constexpr std::string_view kSpaces = " \t\r\n";
+
 /// Reads an unsigned number of the file's byte order.
 std::uint64_t bits_of(std::string_view bytes, bool swapped) {
   std::uint64_t bits = 0;
@@ -37,7 +39,6 @@ double to_number(std::uint64_t bits, PlyType type) {
 }  // namespace
 
 std::optional<double> PlyValues::next_word() {
-  constexpr std::string_view kSpaces = " \t\r\n";
   rest_.remove_prefix(std::min(rest_.find_first_not_of(kSpaces), rest_.size()));
   if (rest_.empty()) return std::nullopt;
   std::string_view word = rest_.substr(0, rest_.find_first_of(kSpaces));
@@ -57,6 +58,10 @@ std::optional<double> PlyValues::next(PlyType type) {
   rest_.remove_prefix(bytes);
   return to_number(bits, type);
 }
+
+void PlyValues::skip_line() { rest_.remove_prefix(std::min(rest_.find_first_of("\r\n"), rest_.size())); }
+
+bool PlyValues::is_at_end() const { return rest_.find_first_not_of(kSpaces) == std::string_view::npos; }
 
 std::uint64_t PlyValues::room_for(const PlyElement& element) const {
   std::uint64_t least = 0;

@@ -15,6 +15,10 @@ class PlyValues {
   PlyValues(std::string_view data, PlyFormat format) : rest_(data), format_(format) {}
 
   std::optional<double> next(PlyType type);
+  /// Skips the rest of a line of text.
+  void skip_line();
+  /// True if a text has no more words.
+  bool is_at_end() const;
   /// The most elements of this kind that the rest of the file can hold.
   std::uint64_t room_for(const PlyElement& element) const;
 
