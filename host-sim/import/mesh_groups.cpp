@@ -90,7 +90,12 @@ Result<Done> MeshGroups::add(SourcePrimitive primitive) {
   if (primitive.vertex_alpha) ++vertex_alpha_;
   if (primitive.left_at_rest) ++morphs_;
   bad_texcoords_ += primitive.bad_texcoords;
-  if (!primitive.indices.empty()) add_triangles(primitive);
+  if (!primitive.indices.empty()) {
+    const SourceMaterial& material = model_.materials[primitive.material];
+    const bool textured = material.texture != kNoSourceTexture || material.emissive_texture != kNoSourceTexture;
+    if (textured && !primitive.has_texcoords) ++no_texcoords_;
+    add_triangles(primitive);
+  }
   if (!primitive.segments.empty()) add_segments(primitive);
   return Done{};
 }
@@ -161,6 +166,7 @@ Result<Done> MeshGroups::finish() {
   warn_of(bad_segments_, "line", "left out: with vertices that do not exist, or are not finite");
   warn_of(bent_segments_, "line", "left out: skins bend triangles only");
   warn_of(bad_texcoords_, "texture coordinate", "not finite (NaN or infinite): drawn as 0");
+  warn_of(no_texcoords_, "mesh", "drawn without a texture: no texture coordinates");
   warn_of(vertex_alpha_, "mesh", "drawn without the alpha of its vertex colours, which differs");
   warn_of(morphs_, "mesh", "with morph targets drawn at rest: only those of glTF 2.0 move");
   std::erase_if(model_.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });

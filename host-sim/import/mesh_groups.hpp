@@ -58,6 +58,7 @@ class MeshGroups {
   std::uint64_t vertex_alpha_ = 0;
   std::uint64_t morphs_ = 0;
   std::uint64_t bad_texcoords_ = 0;
+  std::uint64_t no_texcoords_ = 0;  ///< primitives whose material has a texture
   std::uint64_t bent_segments_ = 0;
   std::uint64_t bad_segments_ = 0;
 };

@@ -233,6 +233,14 @@ TEST_F(Import, MaterialsOfObjThatAreNotDefinedAreSaid) {
   }
 }
 
+/// They were drawn in grey without a word.
+TEST_F(Import, ATextureOfObjWithoutTextureCoordinatesIsSaid) {
+  png("red.png", 2, 2, 0xF800);
+  file("m.mtl", "newmtl a\nmap_Kd red.png\n");
+  const Model read = model(file("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  EXPECT_EQ(read.warnings, std::vector<std::string>{"1 mesh drawn without a texture: no texture coordinates"});
+}
+
 /// Assimp makes vertices without a colour transparent black.
 TEST_F(Import, AmfWithoutColoursWasBlack) {
   const auto colours = [&](const std::string& of_object, const std::string& of_triangle) {

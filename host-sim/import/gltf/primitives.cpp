@@ -142,10 +142,6 @@ Result<Done> GltfPrimitives::read_all() {
     return Failure{ExitStatus::input, "has only meshes that KHR_node_visibility hides; export it with visible ones"};
   }
   if (const Result<Done> finished = groups_.finish(); !finished) return finished.failure();
-  if (no_texcoords_ > 0) {
-    model_.warnings.push_back(
-        fmt::format("{} drawn without a texture: they lack its texture coordinates", counted(no_texcoords_, "mesh")));
-  }
   if (bad_offsets_ > 0) {
     model_.warnings.push_back(
         fmt::format("{} of morph targets left out: not finite (NaN or infinite)", counted(bad_offsets_, "offset")));
@@ -222,7 +218,6 @@ Result<GltfPrimitives::Vertices> GltfPrimitives::read_vertices(const GltfJson& p
   if (!textured && texcoords_ != Texcoords::all) return read;
   const std::string name = fmt::format("TEXCOORD_{}", materials_.texcoords_of(material).set);
   if (const Result<Done> done = set(name, 2, read.texcoords); !done) return done.failure();
-  if (textured && read.texcoords.count() == 0) ++no_texcoords_;
   return read;
 }
 

@@ -69,7 +69,6 @@ class GltfPrimitives {
   std::map<std::vector<float>, std::uint32_t> known_morphs_;  ///< by weights, positions and normals
   std::uint64_t invisible_ = 0;                               ///< nodes with meshes that the file hides
   std::uint64_t bad_offsets_ = 0;                             ///< of morph targets, that are not finite
-  std::uint64_t no_texcoords_ = 0;                            ///< primitives whose texture has no texture coordinates
 };
 
 }  // namespace zstrip::sim
