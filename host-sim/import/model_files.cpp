@@ -5,6 +5,7 @@
 #include <assimp/IOStream.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -107,6 +108,28 @@ std::string with_lines_of_elements(std::string_view off) {
   return take_word().empty() ? lines : std::string(off);
 }
 
+/// Counts the entities of a DXF text that have a shape and that Assimp leaves out. A file is pairs of lines: a code,
+/// and a value. Code 0 begins an entity or a section, code 2 names the section.
+std::size_t curves_and_solids_of(std::string_view dxf) {
+  static constexpr std::array<std::string_view, 9> kLeftOut{"3DSOLID", "ARC",   "BODY",   "CIRCLE", "ELLIPSE",
+                                                            "MESH",    "SOLID", "SPLINE", "TRACE"};
+  const auto take_line = [&dxf] {
+    std::string_view line = dxf.substr(0, dxf.find('\n'));
+    dxf.remove_prefix(std::min(line.size() + 1, dxf.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    return line.substr(0, line.find_last_not_of(" \t\r") + 1);
+  };
+  std::size_t count = 0;
+  bool in_entities = false;
+  while (!dxf.empty()) {
+    const std::string_view code = take_line(), value = take_line();
+    if (code == "2" && value == "ENTITIES") in_entities = true;
+    if (code == "0" && value == "ENDSEC") in_entities = false;
+    if (code == "0" && in_entities && std::ranges::find(kLeftOut, value) != kLeftOut.end()) ++count;
+  }
+  return count;
+}
+
 /// True if the text begins with the UTF-8 mark; binary formats may begin with the same bytes by chance.
 bool has_mark_of_utf8(std::string_view bytes) {
   return bytes.starts_with(kMarkOfUtf8) && bytes.find('\0') == std::string_view::npos;
@@ -151,6 +174,7 @@ std::string ModelFiles::place_of(const char* file) const {
 std::string ModelFiles::plain(const std::string& file, std::string text) {
   const std::string ending = ending_of(model_);
   if (ending == ".raw") return without_groups(text);
+  if (ending == ".dxf") read_.curves_and_solids = curves_and_solids_of(text);
   if (ending == ".off") return with_lines_of_elements(text);
   if (ending != ".obj") return text;
   if (file != model_) return plain_mtl(text, of_blender_, read_.warnings, read_.materials);
@@ -178,7 +202,8 @@ Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
   begin.resize(stream->Read(begin.data(), 1, begin.size()));
   stream->Seek(0, aiOrigin_SET);
   const std::string ending = ending_of(model_);
-  const bool has_plain_form = ending == ".raw" || ending == ".off" || ending == ".obj";
+  constexpr std::array<std::string_view, 4> kEndings{".raw", ".off", ".obj", ".dxf"};
+  const bool has_plain_form = std::ranges::find(kEndings, ending) != kEndings.end();
   if (!has_plain_form && !is_utf16(begin) && !has_mark_of_utf8(begin)) return stream.release();
   const std::string text = plain(file, as_utf8(rest_of(*stream)));
   auto bytes = std::make_unique<std::uint8_t[]>(text.size());

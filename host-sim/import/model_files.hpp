@@ -23,12 +23,13 @@ struct FilesRead {
   std::vector<std::string> not_opened;
   std::vector<std::string> warnings;
   ObjMaterials materials;
-  Vector origin{};  ///< that plain_obj subtracted from the positions
+  std::size_t curves_and_solids = 0;  ///< of a DXF file, which Assimp leaves out
+  Vector origin{};                    ///< that plain_obj subtracted from the positions
 };
 
 /// Text is converted by as_utf8, because Assimp's readers take a byte order mark for the first word of a line. OBJ and
-/// its materials are converted by plain_obj and plain_mtl. Names of groups in RAW are removed: with
-/// several groups the reader keeps only one, and dangling pointers.
+/// its materials are converted by plain_obj and plain_mtl. In OFF each vertex and face gets a line of its own. Names of
+/// groups in RAW are removed: with several groups the reader keeps only one, and dangling pointers.
 class ModelFiles : public Assimp::DefaultIOSystem {
  public:
   /// Results are added to `read`.

@@ -241,6 +241,19 @@ TEST_F(Import, ATextureOfObjWithoutTextureCoordinatesIsSaid) {
   EXPECT_EQ(read.warnings, std::vector<std::string>{"1 mesh drawn without a texture: no texture coordinates"});
 }
 
+/// Only the straight lines were drawn, without a word.
+TEST_F(Import, CurvesOfDxfAreSaid) {
+  const std::string line = "0\nLINE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n";
+  const std::string arc = "  0\r\nARC\r\n  8\r\n0\r\n 10\r\n0\r\n 20\r\n0\r\n 40\r\n1\r\n";
+  const auto with = [&](const std::string& entities) {
+    return model(file("m.dxf", "0\nSECTION\n2\nBLOCKS\n" + arc + "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + line +
+                                   entities + "0\nENDSEC\n0\nEOF\n"));
+  };
+  EXPECT_TRUE(with("").warnings.empty());
+  EXPECT_EQ(with(arc + "0\nSPLINE\n" + arc).warnings,
+            std::vector<std::string>{"3 elements of DXF left out: only faces and straight lines are drawn"});
+}
+
 /// Assimp makes vertices without a colour transparent black.
 TEST_F(Import, AmfWithoutColoursWasBlack) {
   const auto colours = [&](const std::string& of_object, const std::string& of_triangle) {

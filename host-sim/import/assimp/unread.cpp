@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "import/ending.hpp"
+#include "text/number.hpp"
 #include "text/text.hpp"
 
 namespace zstrip::sim {
@@ -15,6 +16,10 @@ namespace zstrip::sim {
 void warn_of_unread(const std::filesystem::path& path, const FilesRead& files, SourceModel& model) {
   const std::string ending = ending_of(path);
   model.warnings.insert(model.warnings.end(), files.warnings.begin(), files.warnings.end());
+  if (files.curves_and_solids > 0) {
+    model.warnings.push_back(fmt::format("{} of DXF left out: only faces and straight lines are drawn",
+                                         counted(files.curves_and_solids, "element")));
+  }
   // In both cases Assimp guesses the material.
   std::vector<std::string> undefined;
   std::set_difference(files.materials.used.begin(), files.materials.used.end(), files.materials.defined.begin(),

@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// Adds warnings for missing files of materials that OBJ names, for edges of PLY, and those of `files`.
+/// Adds warnings for missing files of materials that OBJ names, for curves and solids of DXF, and those of `files`.
 void warn_of_unread(const std::filesystem::path& path, const FilesRead& files, SourceModel& model);
 
 }  // namespace zstrip::sim
