@@ -219,7 +219,10 @@ std::string fbx_triangle(const std::string& properties,
          "Objects:  {\nGeometry: 1, \"Geometry::g\", \"Mesh\" {\nVertices: *9 {\na: 0,0,0,1,0,0,0,1,0\n}\n"
          "PolygonVertexIndex: *3 {\na: 0,1,-3\n}\nLayerElementMaterial: 0 {\nVersion: 101\nName: \"\"\n"
          "MappingInformationType: \"AllSame\"\nReferenceInformationType: \"IndexToDirect\"\nMaterials: *1 {\na: 0\n}\n"
-         "}\nLayer: 0 {\nVersion: 100\nLayerElement:  {\nType: \"LayerElementMaterial\"\nTypedIndex: 0\n}\n}\n}\n"
+         "}\nLayerElementUV: 0 {\nVersion: 101\nName: \"\"\nMappingInformationType: \"ByPolygonVertex\"\n"
+         "ReferenceInformationType: \"Direct\"\nUV: *6 {\na: 0,0,1,0,0,1\n}\n}\n"
+         "Layer: 0 {\nVersion: 100\nLayerElement:  {\nType: \"LayerElementMaterial\"\nTypedIndex: 0\n}\n"
+         "LayerElement:  {\nType: \"LayerElementUV\"\nTypedIndex: 0\n}\n}\n}\n"
          "Model: 2, \"Model::m\", \"Mesh\" {\nVersion: 232\n}\nMaterial: 3, \"Material::a\", \"\" {\nVersion: 102\n"
          "ShadingModel: \"lambert\"\nMultiLayer: 0\nProperties70:  {\n"
          "P: \"DiffuseColor\", \"Color\", \"\", \"A\",1,0,0\n" +

@@ -63,8 +63,12 @@ inline std::string collada_triangle(const std::string& maps, const std::string& 
          R"(<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0)"
          R"(</float_array><technique_common><accessor source="#a" count="3" stride="3"><param name="X" type="float"/>)"
          R"(<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>)"
+         R"(<source id="q"><float_array id="b" count="6">0 0 1 0 0 1</float_array><technique_common><accessor source="#b" count="3")"
+         R"( stride="2"><param name="S" type="float"/><param name="T" type="float"/></accessor></technique_common></source>)"
          R"(<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles material="m" count="1">)"
-         R"(<input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>)"
+         R"(<input semantic="VERTEX" source="#v" offset="0"/>)"
+         R"(<input semantic="TEXCOORD" source="#q" offset="0" set="0"/><p>0 1 2</p></triangles></mesh>)"
+         R"(</geometry></library_geometries>)"
          R"(<library_visual_scenes><visual_scene id="w"><node><instance_geometry url="#g"><bind_material><technique_common>)"
          R"(<instance_material symbol="m" target="#m"/></technique_common></bind_material></instance_geometry></node>)"
          R"(</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#w"/></scene></COLLADA>)";
