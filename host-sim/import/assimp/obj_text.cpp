@@ -201,14 +201,15 @@ void append_vertex(std::string& to, std::span<const std::string_view> words, con
 }
 
 /// Appends the corners of a face or line without texture coordinates: "1/2/3" becomes "1//3", and "1/2" becomes "1".
-/// One without a vertex stays as it is.
+/// What is no corner stays as it is.
 void append_without_texcoords(std::string& to, std::string_view corners) {
   for (std::string_view corner = take_word(corners); !corner.empty(); corner = take_word(corners)) {
-    const std::size_t texcoord = std::min(corner.find('/'), corner.size());
+    const bool is_corner = corner[0] != '/' && corner.find_first_not_of("+-/0123456789") == std::string_view::npos;
+    const std::size_t texcoord = is_corner ? std::min(corner.find('/'), corner.size()) : corner.size();
     const std::size_t normal = corner.find('/', texcoord + 1);
     to += ' ';
-    to += texcoord == 0 ? corner : corner.substr(0, texcoord);
-    if (texcoord == 0 || normal == std::string_view::npos) continue;
+    to += corner.substr(0, texcoord);
+    if (normal == std::string_view::npos) continue;
     to += '/';
     to += corner.substr(normal);
   }
