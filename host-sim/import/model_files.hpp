@@ -30,6 +30,7 @@ struct FilesRead {
 /// Text is converted by as_utf8, because Assimp's readers take a byte order mark for the first word of a line. OBJ and
 /// its materials are converted by plain_obj and plain_mtl. In OFF each vertex and face gets a line of its own. Names of
 /// groups in RAW are removed: with several groups the reader keeps only one, and dangling pointers.
+/// The elements of DXF that Assimp leaves out are counted.
 class ModelFiles : public Assimp::DefaultIOSystem {
  public:
   /// Results are added to `read`.

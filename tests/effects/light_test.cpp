@@ -48,6 +48,14 @@ struct Sheet {
     };
     return {at(0, positions[0].x), at(1, positions[0].y), at(2, positions[0].z)};
   }
+  /// Puts the punctual light at `distance` from the first vertex.
+  void put_light(const Point& away, double distance) {
+    const Point at = vertex();
+    const auto place = [&](std::size_t axis) {
+      return static_cast<Fixed>(std::lround((at[axis] + away[axis] * distance) * 65536));
+    };
+    punctual.position = {place(0), place(1), place(2)};
+  }
   Point normal() const { return unit({normals[0].x / 127.0, normals[0].y / 127.0, normals[0].z / 127.0}); }
 };
 
@@ -183,11 +191,8 @@ TEST(EffectsLight, PunctualLightIsAsKhrLightsPunctualSays) {
     const Point away = samples.direction();
     const double distance = std::exp(samples.between(-20, 15) / 10.0);
     const Point at = sheet.vertex();
+    sheet.put_light(away, distance);
     PunctualLight& light = sheet.punctual;
-    const auto place = [&](std::size_t axis) {
-      return static_cast<Fixed>(std::lround((at[axis] + away[axis] * distance) * 65536));
-    };
-    light.position = {place(0), place(1), place(2)};
     light.intensity = static_cast<Fixed>(distance * distance * samples.between(6000, 90000));
     light.colour = {0, 220, 0, 255};
     if (samples.between(0, 1) == 1) light.range = static_cast<Fixed>(distance * samples.between(50000, 200000));
@@ -226,11 +231,8 @@ TEST(EffectsLight, ANearLightOfSmallIntensityIsNotRoundedToSteps) {
     sheet.material.colour = {255, 230, 255, 255};
     const Point at = sheet.vertex(), away = sheet.normal();
     const double distance = samples.between(25, 100) / 1000.0;
-    const auto place = [&](std::size_t axis) {
-      return static_cast<Fixed>(std::lround((at[axis] + away[axis] * distance) * 65536));
-    };
+    sheet.put_light(away, distance);
     PunctualLight& light = sheet.punctual;
-    light.position = {place(0), place(1), place(2)};
     light.intensity = static_cast<Fixed>(distance * distance * samples.between(30000, 65000));
     light.colour = {0, 220, 0, 255};
     const Point to_light = of_place(light.position) - at;
@@ -249,12 +251,9 @@ TEST(EffectsLight, ANarrowSpotHasTheWidthOfItsCone) {
     Sheet sheet = samples.sheet();
     sheet.material.colour = {255, 230, 255, 255};
     const Point at = sheet.vertex(), away = sheet.normal();
-    const auto place = [&](std::size_t axis) {
-      return static_cast<Fixed>(std::lround((at[axis] + away[axis]) * 65536));
-    };
+    sheet.put_light(away, 1);
     PunctualLight& light = sheet.punctual;
     light.type = PunctualLightType::spot;
-    light.position = {place(0), place(1), place(2)};
     light.colour = {0, 220, 0, 255};
     const double outer = samples.between(10, 50) / 10.0 * 3.14159265 / 180;
     const double off = i % 4 == 0 ? 0 : outer;  // every fourth spot points at the vertex

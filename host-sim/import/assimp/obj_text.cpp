@@ -201,7 +201,7 @@ void append_vertex(std::string& to, std::span<const std::string_view> words, con
 }
 
 /// Appends the corners of a face or line without texture coordinates: "1/2/3" becomes "1//3", and "1/2" becomes "1".
-/// What is no corner stays as it is.
+/// Other words stay as they are.
 void append_without_texcoords(std::string& to, std::string_view corners) {
   for (std::string_view corner = take_word(corners); !corner.empty(); corner = take_word(corners)) {
     const bool is_corner = corner[0] != '/' && corner.find_first_not_of("+-/0123456789") == std::string_view::npos;

@@ -81,7 +81,7 @@ struct ColourPlace {
 constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 static_assert(3 * kMaxTriangles < kNoVertex);
 
-/// Where the elements of a text begin.
+/// Elements of a text follow each other on any lines, or each begins a line, whose further values are skipped.
 enum class Rows { follow_each_other, begin_lines };
 
 /// The elements of a file as parts of a model.
